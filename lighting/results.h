@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/clean.h"
+#include "mesh/geometry.h"
+
+namespace clerestory::lighting {
+
+/// Sensors of a grid. Arrays are parallel; model coordinates [m].
+struct Sensors {
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Vector> normals;
+  /// The cell of each sensor: a quadrilateral in the sensor plane; empty for a list of points without order.
+  std::vector<std::array<mesh::Point, 4>> cells;
+  /// Outlines of the rooms (or surfaces) that the grid covers, closed loops in the sensor plane; empty where unknown.
+  std::vector<std::vector<mesh::Point>> outlines;
+  std::size_t left_out = 0;  ///< sensors inside solids
+
+  [[nodiscard]] std::size_t count() const { return positions.size(); }
+};
+
+/// Figures of one grid.
+struct GridMetrics {
+  double mean_lux = 0.0;
+  double median_lux = 0.0;
+  double minimum_lux = 0.0;
+  double maximum_lux = 0.0;
+  double uniformity = 0.0;               ///< minimum / mean
+  double accuracy_reached = 0.0;         ///< RMS of error / max(E, 5 % of the mean)
+  double share_within_twice = 1.0;       ///< of sensors whose error is at most twice the target
+  bool accuracy_met = false;
+  bool has_daylight_factor = false;
+  double mean_df_percent = 0.0;
+  double median_df_percent = 0.0;
+  double minimum_df_percent = 0.0;
+  double share_above_2_percent = 0.0;    ///< of the area (sensors) with a daylight factor of at least 2 % [0 … 1]
+  double share_above_5_percent = 0.0;
+};
+
+struct GridResult {
+  std::string name;
+  Sensors sensors;
+  std::vector<float> illuminance_lux;
+  std::vector<float> error_lux;                ///< standard uncertainty, k = 1
+  std::vector<float> daylight_factor_percent;  ///< empty unless a daylight study
+  GridMetrics metrics;
+};
+
+/// The solution on the surfaces, as triangles with their own three points each where light is discontinuous.
+/// Front cells are wound as the file's polygons, back cells the other way. Model coordinates [m].
+struct SurfaceResult {
+  std::vector<mesh::Point> points;
+  std::vector<float> point_illuminance_lux;
+  std::vector<std::array<std::uint32_t, 3>> cells;
+  std::vector<std::uint8_t> side;
+  std::vector<float> illuminance_lux;
+  std::vector<float> error_lux;
+  std::vector<float> radiosity_lm_m2;
+  std::vector<float> luminance_cd_m2;
+  std::vector<float> reflectance;
+  std::vector<std::int32_t> level;
+  std::vector<std::int32_t> part;
+  std::vector<std::int32_t> material;
+  std::vector<std::int32_t> room;  ///< -1 where none is known
+  std::vector<std::string> part_names;
+  std::vector<std::string> material_names;
+  std::vector<std::string> room_names;
+};
+
+/// Fluxes of the energy balance [lm]: emitted + from sky = absorbed + left, but for `residual`.
+struct EnergyBalance {
+  double emitted_lm = 0.0;    ///< by surfaces
+  double received_lm = 0.0;   ///< on surfaces directly from the sky and point sources
+  double absorbed_lm = 0.0;
+  double left_lm = 0.0;       ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
+  double residual = 0.0;      ///< (emitted + received - absorbed - left) / (emitted + received)
+  double reciprocity = 0.0;   ///< largest |G_rs - G_sr| / max over the sampled links, weighted by flux
+  double closure = 0.0;       ///< flux-weighted mean of |sum of form factors + share that leaves - 1|
+};
+
+struct PhaseTime {
+  std::string name;
+  double cpu_s = 0.0;
+  double wall_s = 0.0;
+};
+
+/// Everything that a run found. What io writes.
+struct Results {
+  std::vector<GridResult> grids;
+  SurfaceResult surfaces;
+  EnergyBalance energy;
+  mesh::CleanReport clean;
+  struct Counts {
+    std::size_t parts = 0, polygons = 0, faces = 0, elements = 0, links = 0, rays = 0, openings = 0, iterations = 0;
+  } counts;
+  struct MaterialUse {
+    std::string name, became, why;
+  };
+  std::vector<MaterialUse> materials;
+  std::vector<PhaseTime> phases;
+  double horizontal_illuminance_lux = 0.0;  ///< unobstructed, of the sky in use
+  double accuracy_target = 0.0;
+  double accuracy_reached = 0.0;  ///< the worst grid's
+  bool accuracy_met = false;
+  std::vector<std::string> assumptions;  ///< one sentence each
+  std::vector<std::string> notices;      ///< what the user should know: "no opening and no lamp: every value is zero" …
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lighting/material.h"
+#include "lighting/sky.h"
+#include "mesh/clean.h"
+#include "mesh/geometry.h"
+#include "mesh/model.h"
+
+namespace clerestory::lighting {
+
+/// A point that shines, far-field: intensity I0 [cd] in every direction, or I0·cos θ about `aim`.
+struct PointSource {
+  mesh::Point at;  ///< model coordinates [m]
+  mesh::Vector aim{0.0, 0.0, -1.0};
+  double intensity_cd = 0.0;
+  bool lambertian = false;
+};
+
+/// A grid of sensors, as asked for.
+struct GridRequest {
+  std::string name = "workplane";
+  /// "rooms", or names of parts or materials (globs); empty when points are given.
+  std::vector<std::string> surfaces;
+  /// Given sensors: positions [m, model coordinates] and unit normals, in the order of the file.
+  std::vector<mesh::Point> points;
+  std::vector<mesh::Vector> normals;
+  std::string points_file;  ///< where the points come from, for messages
+  double height_m = 0.8;
+  double spacing_m = 0.25;
+  bool en12464_spacing = false;
+  std::optional<double> margin_m;  ///< none: the smaller of 0.5 m and 15 % of the room's smaller width
+};
+
+/// The one number that the user asks for, and what tests may vary.
+struct Accuracy {
+  double target = 0.02;    ///< what it promises: science page, section 6
+  std::uint64_t seed = 0;  ///< of the low-discrepancy points' scrambling
+};
+
+/// A study in memory: what io reads, and what run() answers.
+struct Study {
+  enum class Kind { kIlluminance, kDaylight };
+
+  Kind kind = Kind::kIlluminance;
+  std::string name;                  ///< stem of the study or model file
+  mesh::Model model;                 ///< metres, z up, model coordinates
+  std::vector<Material> materials;   ///< one a model material, in the model's order
+  mesh::CleanOptions clean;
+  Sky sky;
+  std::vector<PointSource> point_sources;
+  std::vector<GridRequest> grids;
+  double north_deg = 0.0;  ///< from +y, counter-clockwise
+  Accuracy accuracy;
+  std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/clean.h"
+#include "mesh/geometry.h"
+#include "mesh/ids.h"
+
+namespace clerestory::mesh {
+
+/// One triangle of a planar face: vertex indices, counter-clockwise seen from the front.
+struct Triangle {
+  std::array<std::uint32_t, 3> vertices{};
+  /// Bit k is set when the edge from vertices[k] to vertices[(k+1)%3] is a boundary of the face or a contact with another face.
+  std::uint8_t constrained = 0;
+  /// Regions of a face are what its boundary and contact lines leave connected (edge to edge). Counted per face from 0.
+  std::uint32_t region = 0;
+};
+
+/// Triangles of all faces: face f has triangles[starts[f]] … triangles[starts[f+1]-1].
+struct Triangulation {
+  std::vector<Point> vertices;  ///< local coordinates [m]
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> starts{0};
+
+  [[nodiscard]] std::span<const Triangle> of(FaceId face) const {
+    return std::span(triangles).subspan(starts[face.index()], starts[face.index() + 1] - starts[face.index()]);
+  }
+};
+
+/// One planar face: coplanar, connected polygons of one material and one part, merged.
+struct Face {
+  Point origin;    ///< a point of the plane [m, local]
+  Frame frame;     ///< w is the normal of the front
+  double area_m2 = 0.0;
+  MaterialId material;
+  PartId part;
+  /// Loops of vertex indices: outer boundaries counter-clockwise seen from the front, holes clockwise.
+  std::vector<std::vector<std::uint32_t>> loops;
+};
+
+/// All faces of a model. `shape` is the conforming triangulation with every contact imprinted: faces that touch share the
+/// vertices of the line where they touch (exactly the same points), which is what makes rays against it watertight.
+struct Faces {
+  std::vector<Face> faces;
+  Triangulation shape;
+  Vector origin;  ///< model coordinates = local coordinates + origin [m]
+  std::vector<std::string> material_names;
+  std::vector<std::string> part_names;
+  std::size_t contact_count = 0;  ///< contact segments imprinted
+
+  [[nodiscard]] std::size_t count() const { return faces.size(); }
+};
+
+struct FaceOptions {
+  /// Polygons belong to one plane when their vertices lie within this of it [m].
+  double plane_tolerance_m = 2e-5;
+  /// … and their normals differ by less than this [rad].
+  double angle_tolerance_rad = 1e-4;
+};
+
+/// Merges coplanar, same-material, same-part connected polygons into faces with holes, finds where other faces touch or cross each
+/// face, and imprints those contacts (CGAL constrained Delaunay triangulation, exact predicates).
+Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {});
+
+/// How the start mesh of the elements is made.
+struct MeshOptions {
+  double max_size_m = 4.0;        ///< longest edge of an element
+  double min_angle_deg = 20.0;    ///< except next to input angles below 40 degrees
+};
+
+/// What the mesher could not do.
+struct MeshReport {
+  std::size_t triangles = 0;
+  std::size_t small_angles = 0;        ///< triangles below the angle bound
+  std::size_t small_input_angles = 0;  ///< of them, those at an input angle below 40 degrees
+  double min_angle_deg = 180.0;
+};
+
+/// Constrained Delaunay refinement of every face with its contacts [Ruppert 1995; Shewchuk 2002], regions as in `shape`.
+Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshReport* report = nullptr);
+
+}  // namespace clerestory::mesh

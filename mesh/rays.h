@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh/faces.h"
+#include "mesh/geometry.h"
+#include "mesh/ids.h"
+
+namespace clerestory::mesh {
+
+/// Transmittance of a sheet by the cosine of the angle of incidence: entry i belongs to cos = i/(size-1) [0 … 1].
+using TransmittanceCurve = std::array<float, 129>;
+
+/// Linear interpolation in a curve.
+inline float transmittance_at(const TransmittanceCurve& curve, float cosine) {
+  const float x = cosine * static_cast<float>(curve.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(x), curve.size() - 2);
+  const float t = x - static_cast<float>(i);
+  return curve[i] + t * (curve[i + 1] - curve[i]);
+}
+
+/// What a face does to a ray that meets it.
+struct Passage {
+  static constexpr std::int32_t kOpaque = -1;
+
+  std::int32_t curve = kOpaque;  ///< index of a transmittance curve, or kOpaque
+  /// A sampled opening: segments that pass it towards `outside` are not carried by segments() but by the opening's own samples.
+  bool opening = false;
+  Side outside = Side::kFront;  ///< the side that faces outwards: a ray leaves when it goes on into that side's half space
+};
+
+struct Ray {
+  Point origin;
+  Vector direction;  ///< need not be of unit length
+};
+
+struct Hit {
+  FaceId face;  ///< invalid when nothing is hit
+  Side side = Side::kFront;
+  double distance = 0.0;  ///< in units of the direction's length
+};
+
+/// From a point on (or next to) one surface to a point on another.
+struct Segment {
+  Point from;
+  Point to;
+};
+
+/// Rays against the triangulated faces (Embree, robust mode). Built once; faces are two-sided.
+/// Thread-safe but for set_passages().
+class Rays {
+ public:
+  explicit Rays(const Faces& faces);
+  ~Rays();
+  Rays(Rays&&) noexcept;
+  Rays& operator=(Rays&&) noexcept;
+
+  /// Declares which faces let light pass; one entry a face.
+  void set_passages(std::vector<Passage> passages, std::vector<TransmittanceCurve> curves);
+  [[nodiscard]] const Passage& passage(FaceId face) const;
+  [[nodiscard]] const TransmittanceCurve& curve(std::int32_t index) const;
+
+  /// The first face along a ray, glazing and openings included, beyond `offset_m()` from the origin.
+  [[nodiscard]] Hit first_hit(const Ray& ray) const;
+
+  /// The share of light that passes along each segment, between offset_m() from either end: 0 when an opaque face stands between, the
+  /// product of transmittances otherwise, and 0 as well where the segment leaves through a sampled opening.
+  /// @param passed  [segments] out
+  void transmittance(std::span<const Segment> segments, std::span<float> passed) const;
+
+  /// True when nothing at all, glazing included, meets the segment.
+  [[nodiscard]] bool clear(const Segment& segment) const;
+
+  /// How far from its ends a ray ignores surfaces [m]: a few units in the last place of a float at the model's extent.
+  [[nodiscard]] double offset_m() const;
+
+  /// Box of all faces.
+  [[nodiscard]] const Box& bounds() const;
+
+  /// Rays cast so far by all threads.
+  [[nodiscard]] std::uint64_t count() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace clerestory::mesh
