@@ -37,6 +37,7 @@ function(clerestory_library name)
   if(NOT arg_SOURCES) # nothing written yet
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name} INTERFACE ${arg_PUBLIC})
     return()
   endif()
   set(kind STATIC)
