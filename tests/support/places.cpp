@@ -16,4 +16,4 @@ std::filesystem::path validation_dir() {
 
 std::filesystem::path shared_data_dir() { return validation_dir().parent_path() / "data"; }
 
-} // namespace clerestory::test
+}  // namespace clerestory::test
