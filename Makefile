@@ -6,6 +6,7 @@ PRESET ?= release
 CMAKE_FLAGS ?=
 BUILD := build/$(PRESET)
 
+.NOTPARALLEL:
 .PHONY: demo test build configure setup format tidy clean
 
 demo: setup build
