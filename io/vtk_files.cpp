@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/vtk_files.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "io/whole_file.h"
+#include "mesh/error.h"
+
+namespace clerestory::io {
+
+namespace {
+
+/// Corners of cells that are closer than this are one point [m].
+constexpr double kSamePoint = 1e-6;
+
+template <class Array, class Values>
+vtkNew<Array> numbers(const char* name, const Values& values) {
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  vtkIdType i = 0;
+  for (const auto value : values) array->SetValue(i++, value);
+  return array;
+}
+
+vtkNew<vtkStringArray> words(const char* name, const std::vector<std::string>& values) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& value : values) array->InsertNextValue(value);
+  return array;
+}
+
+vtkNew<vtkFloatArray> vectors(const char* name, const std::vector<mesh::Vector>& values) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  vtkIdType i = 0;
+  for (const mesh::Vector& v : values) array->SetTuple3(i++, v.x, v.y, v.z);
+  return array;
+}
+
+/// Gives each place one point of the mesh, however often it is asked for.
+class PointPool {
+ public:
+  explicit PointPool(vtkPoints* points) : points_(points) { points_->SetDataTypeToDouble(); }
+
+  vtkIdType add(const mesh::Point& p) {
+    const Key key{std::llround(p.x / kSamePoint), std::llround(p.y / kSamePoint), std::llround(p.z / kSamePoint)};
+    const auto [entry, is_new] = ids_.try_emplace(key, points_->GetNumberOfPoints());
+    if (is_new) points_->InsertNextPoint(p.x, p.y, p.z);
+    return entry->second;
+  }
+
+ private:
+  using Key = std::array<long long, 3>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t h = 0;
+      for (const long long k : key) {
+        h = (h ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15ULL;  // Fibonacci hashing: spreads runs of integers
+        h ^= h >> 32;
+      }
+      return static_cast<std::size_t>(h);
+    }
+  };
+
+  vtkPoints* points_;
+  std::unordered_map<Key, vtkIdType, Hash> ids_;
+};
+
+void add_sensor_cells(vtkPolyData* data, const lighting::Sensors& sensors) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  if (sensors.cells.empty()) {
+    points->SetDataTypeToDouble();
+    for (const mesh::Point& p : sensors.positions) {
+      const vtkIdType id = points->InsertNextPoint(p.x, p.y, p.z);
+      cells->InsertNextCell(1, &id);
+    }
+    data->SetVerts(cells);
+  } else {
+    PointPool pool(points);
+    for (const auto& corners : sensors.cells) {
+      cells->InsertNextCell(4);
+      for (const mesh::Point& corner : corners) cells->InsertCellPoint(pool.add(corner));
+    }
+    data->SetPolys(cells);
+  }
+  data->SetPoints(points);
+}
+
+void add_triangles(vtkPolyData* data, const lighting::SurfaceResult& surfaces) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(surfaces.points.size()));
+  vtkIdType i = 0;
+  for (const mesh::Point& p : surfaces.points) points->SetPoint(i++, p.x, p.y, p.z);
+  vtkNew<vtkCellArray> cells;
+  for (const auto& corners : surfaces.cells) {
+    cells->InsertNextCell(3);
+    for (const std::uint32_t corner : corners) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
+  }
+  data->SetPoints(points);
+  data->SetPolys(cells);
+}
+
+void add_surface_values(vtkPolyData* data, const lighting::SurfaceResult& surfaces) {
+  vtkCellData* const cells = data->GetCellData();
+  cells->AddArray(numbers<vtkFloatArray>("illuminance_lux", surfaces.illuminance_lux));
+  cells->AddArray(numbers<vtkFloatArray>("error_lux", surfaces.error_lux));
+  cells->AddArray(numbers<vtkFloatArray>("radiosity_lm_m2", surfaces.radiosity_lm_m2));
+  cells->AddArray(numbers<vtkFloatArray>("luminance_cd_m2", surfaces.luminance_cd_m2));
+  cells->AddArray(numbers<vtkFloatArray>("reflectance", surfaces.reflectance));
+  cells->AddArray(numbers<vtkUnsignedCharArray>("side", surfaces.side));
+  cells->AddArray(numbers<vtkIntArray>("level", surfaces.level));
+  cells->AddArray(numbers<vtkIntArray>("part", surfaces.part));
+  cells->AddArray(numbers<vtkIntArray>("material", surfaces.material));
+  cells->AddArray(numbers<vtkIntArray>("room", surfaces.room));
+  cells->SetActiveScalars("illuminance_lux");
+  data->GetPointData()->AddArray(numbers<vtkFloatArray>("illuminance_lux", surfaces.point_illuminance_lux));
+}
+
+void add_origin(vtkPolyData* data, const std::vector<std::string>& units, const lighting::Results& results,
+                const ResultContext& context) {
+  vtkFieldData* const field = data->GetFieldData();
+  field->AddArray(words("units", units));
+  field->AddArray(words("sky", {context.sky}));
+  field->AddArray(words("study", {context.study_name}));
+  field->AddArray(words("version", {context.version}));
+  field->AddArray(
+      numbers<vtkDoubleArray>("horizontal_illuminance_lux", std::array{results.horizontal_illuminance_lux}));
+}
+
+/// Keeps what VTK complains of, which it would print on stderr otherwise.
+void keep_message(vtkObject*, unsigned long, void* message, void* text) {
+  if (text != nullptr) static_cast<std::string*>(message)->append(static_cast<const char*>(text));
+}
+
+/// The file's bytes. They are made in memory so that one place alone writes files and checks for a full disk: VTK's own
+/// stream does not report every error, and deletes the file's name, whatever that is, where the disk is full.
+std::string vtp_bytes(vtkPolyData* data) {
+  std::string message;
+  vtkNew<vtkCallbackCommand> on_error;
+  on_error->SetCallback(keep_message);
+  on_error->SetClientData(&message);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->AddObserver(vtkCommand::ErrorEvent, on_error);
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();  // 32 bits would end at 4 GB an array
+  writer->SetCompressorTypeToZLib();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError || !message.empty()) {
+    throw MachineError("VTK cannot write its file: " +
+                       (message.empty() ? vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()) : message));
+  }
+  return writer->GetOutputString();
+}
+
+std::string xml_attribute(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\n':
+        escaped += "&#10;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return '"' + escaped + '"';
+}
+
+}  // namespace
+
+void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& results,
+                    const lighting::GridResult& grid, const ResultContext& context) {
+  vtkNew<vtkPolyData> data;
+  add_sensor_cells(data, grid.sensors);
+  std::vector<std::string> units{"illuminance_lux: lx", "error_lux: lx, standard uncertainty (k = 1)"};
+  vtkCellData* const cells = data->GetCellData();
+  std::vector<int> ids(grid.sensors.count());
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
+  cells->AddArray(numbers<vtkIntArray>("id", ids));
+  cells->AddArray(vectors("normal", grid.sensors.normals));
+  cells->AddArray(numbers<vtkFloatArray>("illuminance_lux", grid.illuminance_lux));
+  cells->AddArray(numbers<vtkFloatArray>("error_lux", grid.error_lux));
+  cells->SetActiveScalars("illuminance_lux");
+  if (!grid.daylight_factor_percent.empty()) {
+    cells->AddArray(numbers<vtkFloatArray>("daylight_factor_percent", grid.daylight_factor_percent));
+    cells->SetActiveScalars("daylight_factor_percent");
+    units.emplace_back("daylight_factor_percent: % of the unobstructed horizontal illuminance");
+  }
+  add_origin(data, units, results, context);
+  data->GetFieldData()->AddArray(words("grid", {grid.name}));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,
+                        const ResultContext& context) {
+  vtkNew<vtkPolyData> data;
+  add_triangles(data, results.surfaces);
+  add_surface_values(data, results.surfaces);
+  add_origin(data,
+             {"illuminance_lux: lx", "error_lux: lx, standard uncertainty (k = 1)", "radiosity_lm_m2: lm/m²",
+              "luminance_cd_m2: cd/m²", "reflectance: 1"},
+             results, context);
+  data->GetFieldData()->AddArray(words("part_names", results.surfaces.part_names));
+  data->GetFieldData()->AddArray(words("material_names", results.surfaces.material_names));
+  data->GetFieldData()->AddArray(words("room_names", results.surfaces.room_names));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+void write_result_vtm(const std::filesystem::path& file, const std::vector<VtmEntry>& entries) {
+  // By hand: VTK's own writer would write the blocks a second time, into a folder of its choice.
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+      "  <vtkMultiBlockDataSet>\n";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    text += "    <DataSet index=\"" + std::to_string(i) + "\" name=" + xml_attribute(entries[i].block) +
+            " file=" + xml_attribute(entries[i].file) + "/>\n";
+  }
+  text += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
+  write_whole_file(file, text);
+}
+
+}  // namespace clerestory::io

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/result_context.h"
+#include "lighting/results.h"
+
+namespace clerestory::io {
+
+/// Writes a grid as VTK XML polygons (.vtp): one quadrilateral a sensor where the grid has cells, one vertex a sensor
+/// where it has none, in the order of the sensors. Cell data: `id`, `normal`, `illuminance_lux`, `error_lux` and, in a
+/// daylight study, `daylight_factor_percent`. Field data as in write_surfaces_vtp(), and the name of the `grid`.
+/// Positions are in double precision [m, model coordinates]; corners closer than 1 µm are one point, so that ParaView
+/// can smooth across cells. The bytes depend on the arguments alone, not on locale, time or threads.
+/// Throws MachineError when the file cannot be written whole.
+void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& results,
+                    const lighting::GridResult& grid, const ResultContext& context);
+
+/// Writes the solution on the surfaces as VTK XML polygons (.vtp), one triangle a side of an element (`side` 0 front,
+/// 1 back, wound the other way). Cell data: `illuminance_lux`, `error_lux`, `radiosity_lm_m2`, `luminance_cd_m2`,
+/// `reflectance`, `side`, `level`, and the indices `part`, `material` and `room` (-1: none) into the field arrays
+/// `part_names`, `material_names`, `room_names`. Point data: `illuminance_lux`, smooth inside regions and split where
+/// light is discontinuous. Field data in words: `units`, `sky`, `study`, `version`; and the number
+/// `horizontal_illuminance_lux`, unobstructed.
+/// Throws MachineError when the file cannot be written whole.
+void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,
+                        const ResultContext& context);
+
+/// One file that a collection opens.
+struct VtmEntry {
+  std::string block;  ///< the name that ParaView shows
+  std::string file;   ///< relative to the collection's folder
+};
+
+/// Writes a VTK multi-block collection (.vtm) that opens the given .vtp files at once.
+/// Throws MachineError when the file cannot be written whole.
+void write_result_vtm(const std::filesystem::path& file, const std::vector<VtmEntry>& entries);
+
+}  // namespace clerestory::io
