@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -45,7 +46,7 @@ struct Hit {
   double distance = 0.0;  ///< in units of the direction's length
 };
 
-/// From a point on (or next to) one surface to a point on another.
+/// From a point to a point; callers lift ends that lie on a surface off it by Rays::offset_m() along its normal.
 struct Segment {
   Point from;
   Point to;
@@ -55,28 +56,27 @@ struct Segment {
 /// Thread-safe but for set_passages().
 class Rays {
  public:
-  explicit Rays(const Faces& faces);
+  /// @param passable  [faces] non-zero where light may pass a face (glazing, openings); empty: all faces are opaque
+  explicit Rays(const Faces& faces, std::span<const std::uint8_t> passable = {});
   ~Rays();
   Rays(Rays&&) noexcept;
   Rays& operator=(Rays&&) noexcept;
 
-  /// Declares which faces let light pass; one entry a face.
+  /// Declares how the passable faces let light pass; one entry a face, opaque for all that are not passable.
   void set_passages(std::vector<Passage> passages, std::vector<TransmittanceCurve> curves);
   [[nodiscard]] const Passage& passage(FaceId face) const;
   [[nodiscard]] const TransmittanceCurve& curve(std::int32_t index) const;
 
-  /// The first face along a ray, glazing and openings included, beyond `offset_m()` from the origin.
+  /// The first face along a ray, glazing and openings included. The distance is that to the face's plane in double precision.
   [[nodiscard]] Hit first_hit(const Ray& ray) const;
 
-  /// The share of light that passes along each segment, between offset_m() from either end: 0 when an opaque face stands between, the
-  /// product of transmittances otherwise, and 0 as well where the segment leaves through a sampled opening.
+  /// The share of light that passes along each segment: 0 when an opaque face stands between, the product of transmittances
+  /// otherwise, and 0 as well where the segment leaves through a sampled opening.
   /// @param passed  [segments] out
   void transmittance(std::span<const Segment> segments, std::span<float> passed) const;
 
-  /// True when nothing at all, glazing included, meets the segment.
-  [[nodiscard]] bool clear(const Segment& segment) const;
-
-  /// How far from its ends a ray ignores surfaces [m]: a few units in the last place of a float at the model's extent.
+  /// How far a point on a surface is lifted off it before a ray starts there [m]: a few units in the last place of a float at
+  /// the model's extent, at least 0.01 mm.
   [[nodiscard]] double offset_m() const;
 
   /// Box of all faces.

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/element_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_map>
+#include <utility>
+
+#include "mesh/hash.h"
+
+namespace clerestory::mesh {
+
+namespace {
+
+/// Slack of point location, relative to an element's size: a hit on an edge belongs to one of its neighbours.
+constexpr double kEdgeSlack = 1e-6;
+
+Point mean(const std::array<Point, 3>& c) {
+  return {(c[0].x + c[1].x + c[2].x) / 3.0, (c[0].y + c[1].y + c[2].y) / 3.0, (c[0].z + c[1].z + c[2].z) / 3.0};
+}
+
+double triangle_area(const std::array<Point, 3>& c) { return 0.5 * norm(cross(c[1] - c[0], c[2] - c[0])); }
+
+std::array<Point, 3> points_of(const Triangulation& mesh, const std::array<std::uint32_t, 3>& vertices) {
+  return {mesh.vertices[vertices[0]], mesh.vertices[vertices[1]], mesh.vertices[vertices[2]]};
+}
+
+/// Uniform points of a triangle from the unit square, continuous and area-preserving.
+/// Source: Heitz, A Low-Distortion Map Between Triangle and Square, 2019.
+Point in_triangle(const std::array<Point, 3>& c, double a, double b) {
+  double s = a;
+  double t = b;
+  if (b > a) {
+    s *= 0.5;
+    t -= s;
+  } else {
+    t *= 0.5;
+    s -= t;
+  }
+  return c[0] + (s * (c[1] - c[0]) + t * (c[2] - c[0]));
+}
+
+}  // namespace
+
+ElementTree::ElementTree(const Faces& faces, const Triangulation& mesh, std::span<const std::uint8_t> has_side) {
+  assert(has_side.size() == 2 * faces.count());
+  roots_start_.push_back(0);
+  for (std::size_t s = 0; s < 2 * faces.count(); ++s) {
+    const FaceSide side = mesh::face_side(s);
+    const Face& face = faces.faces[side.face.index()];
+    const bool back = side.side == Side::kBack;
+    side_axes_.push_back(back ? Frame{face.frame.v, face.frame.u, -face.frame.w} : face.frame);
+    side_origin_.push_back(face.origin);
+    if (has_side[s] != 0) {
+      std::vector<std::vector<Triangle>> regions;
+      for (const Triangle& t : mesh.of(side.face)) {
+        if (t.region >= regions.size()) regions.resize(t.region + 1);
+        regions[t.region].push_back(t);
+      }
+      for (auto& region : regions) {
+        if (!region.empty()) add_region(mesh, std::move(region), side);
+      }
+    }
+    roots_start_.push_back(static_cast<std::uint32_t>(roots_.size()));
+  }
+}
+
+void ElementTree::add_region(const Triangulation& mesh, std::vector<Triangle> triangles, FaceSide side) {
+  Node root;
+  root.face_side = static_cast<std::uint32_t>(side.index());
+  root.begin = static_cast<std::uint32_t>(start_.size());
+  root.end = root.begin + static_cast<std::uint32_t>(triangles.size());
+  root.key = hash(hash(side.face.value, static_cast<std::uint64_t>(side.side)), triangles.front().region);
+  for (const Triangle& t : triangles) {
+    auto v = t.vertices;
+    if (side.side == Side::kBack) std::swap(v[1], v[2]);
+    start_.push_back(v);
+  }
+  const auto id = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(root);
+  roots_.push_back(ElementId(id));
+  build_groups(mesh, id);
+}
+
+void ElementTree::build_groups(const Triangulation& mesh, std::uint32_t root) {
+  for (std::uint32_t n = root; n < nodes_.size(); ++n) {
+    if (nodes_[n].end - nodes_[n].begin == 1) {
+      finish_triangle(nodes_[n], points_of(mesh, start_[nodes_[n].begin]));
+    } else {
+      finish_group(mesh, nodes_[n]);
+      split_group(mesh, n);
+    }
+  }
+}
+
+void ElementTree::finish_triangle(Node& triangle, const std::array<Point, 3>& corners) {
+  triangle.triangle = true;
+  triangle.area = triangle_area(corners);
+  triangle.centroid = mean(corners);
+  for (const Point& c : corners) triangle.radius = std::max(triangle.radius, norm(c - triangle.centroid));
+  triangle.shape = static_cast<std::uint32_t>(corners_.size());
+  corners_.push_back(corners);
+}
+
+void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
+  // Area and centroid.
+  Vector moment;
+  const Point& origin = side_origin_[group.face_side];
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const auto c = points_of(mesh, start_[i]);
+    const double area = triangle_area(c);
+    group.area += area;
+    moment = moment + area * (mean(c) - origin);
+  }
+  group.centroid = origin + moment / group.area;
+
+  // The outline is what is left of the edges when those with their own reverse are taken away.
+  Group shape;
+  const Frame& axes = side_axes_[group.face_side];
+  shape.rectangle = {1e300, 1e300, -1e300, -1e300};
+  std::unordered_map<std::uint64_t, int> seen;
+  const auto name = [](std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32U) | b; };
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const auto& v = start_[i];
+    for (std::size_t k = 0; k < 3; ++k) seen[name(v[k], v[(k + 1) % 3])] = 1;
+  }
+  shape.first_edge = static_cast<std::uint32_t>(edges_.size());
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const auto& v = start_[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = mesh.vertices[v[k]];
+      const double u = dot(p - origin, axes.u);
+      const double w = dot(p - origin, axes.v);
+      shape.rectangle = {std::min(shape.rectangle[0], u), std::min(shape.rectangle[1], w),
+                         std::max(shape.rectangle[2], u), std::max(shape.rectangle[3], w)};
+      group.radius = std::max(group.radius, norm(p - group.centroid));
+      if (!seen.contains(name(v[(k + 1) % 3], v[k]))) edges_.push_back({p, mesh.vertices[v[(k + 1) % 3]]});
+    }
+  }
+  shape.edge_count = static_cast<std::uint32_t>(edges_.size()) - shape.first_edge;
+  group.shape = static_cast<std::uint32_t>(groups_.size());
+  groups_.push_back(shape);
+}
+
+void ElementTree::split_group(const Triangulation& mesh, std::uint32_t group) {
+  const Node parent = nodes_[group];
+  const Frame& axes = side_axes_[parent.face_side];
+  const auto& box = groups_[parent.shape].rectangle;
+  const Vector axis = box[2] - box[0] >= box[3] - box[1] ? axes.u : axes.v;
+  const Point& origin = side_origin_[parent.face_side];
+  const auto place = [&](const StartTriangle& t) {
+    return std::pair(dot(mean(points_of(mesh, t)) - origin, axis), t);
+  };
+  std::sort(start_.begin() + parent.begin, start_.begin() + parent.end,
+            [&](const StartTriangle& a, const StartTriangle& b) { return place(a) < place(b); });
+
+  const std::uint32_t middle = parent.begin + (parent.end - parent.begin) / 2;
+  nodes_[group].first_child = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[group].child_count = 2;
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    Node child;
+    child.parent = group;
+    child.face_side = parent.face_side;
+    child.level = static_cast<std::uint8_t>(parent.level + 1);
+    child.begin = k == 0 ? parent.begin : middle;
+    child.end = k == 0 ? middle : parent.end;
+    child.key = hash(parent.key, k);
+    nodes_.push_back(child);
+  }
+}
+
+std::span<const ElementId> ElementTree::roots_of(FaceSide side) const {
+  const std::uint32_t begin = roots_start_[side.index()];
+  return std::span(roots_).subspan(begin, roots_start_[side.index() + 1] - begin);
+}
+
+ElementId ElementTree::root(ElementId e) const {
+  while (parent(e).valid()) e = parent(e);
+  return e;
+}
+
+std::array<Point, 3> ElementTree::corners(ElementId e) const {
+  assert(is_triangle(e));
+  return corners_[node(e).shape];
+}
+
+std::span<const OutlineEdge> ElementTree::outline(ElementId e, std::array<OutlineEdge, 3>& scratch) const {
+  if (is_triangle(e)) {
+    const auto& c = corners_[node(e).shape];
+    scratch = {{{c[0], c[1]}, {c[1], c[2]}, {c[2], c[0]}}};
+    return scratch;
+  }
+  const Group& group = groups_[node(e).shape];
+  return std::span(edges_).subspan(group.first_edge, group.edge_count);
+}
+
+std::size_t ElementTree::hull(ElementId e, std::array<Point, 4>& corners) const {
+  if (is_triangle(e)) {
+    const auto& c = corners_[node(e).shape];
+    std::copy(c.begin(), c.end(), corners.begin());
+    return 3;
+  }
+  const auto& box = groups_[node(e).shape].rectangle;
+  const Frame& frame = axes(e);
+  const Point& origin = side_origin_[node(e).face_side];
+  corners = {origin + (box[0] * frame.u + box[1] * frame.v), origin + (box[2] * frame.u + box[1] * frame.v),
+             origin + (box[2] * frame.u + box[3] * frame.v), origin + (box[0] * frame.u + box[3] * frame.v)};
+  return 4;
+}
+
+Point ElementTree::sample(ElementId e, double a, double b) const {
+  const Node* n = &node(e);
+  // Down the groups: the first coordinate chooses the child by area and is stretched again.
+  while (!n->triangle) {
+    const Node& first = nodes_[n->first_child];
+    const double share = first.area / n->area;
+    if (a < share) {
+      a /= share;
+      n = &first;
+    } else {
+      a = share < 1.0 ? (a - share) / (1.0 - share) : 0.0;
+      n = &nodes_[n->first_child + 1];
+    }
+  }
+  return in_triangle(corners_[n->shape], a, b);
+}
+
+void ElementTree::split(ElementId e) {
+  assert(is_triangle(e) && !has_children(e));
+  const auto c = corners(e);
+  const std::array<Point, 3> m{midpoint(c[0], c[1]), midpoint(c[1], c[2]), midpoint(c[2], c[0])};
+  const std::array<std::array<Point, 3>, 4> parts{
+      {{c[0], m[0], m[2]}, {m[0], c[1], m[1]}, {m[2], m[1], c[2]}, {m[0], m[1], m[2]}}};
+  nodes_[e.index()].first_child = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[e.index()].child_count = 4;
+  const Node above = nodes_[e.index()];
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    Node child;
+    child.parent = e.value;
+    child.face_side = above.face_side;
+    child.level = static_cast<std::uint8_t>(above.level + 1);
+    child.begin = above.begin;
+    child.end = above.end;
+    child.key = hash(above.key, k);
+    finish_triangle(child, parts[k]);
+    nodes_.push_back(child);
+  }
+}
+
+bool ElementTree::holds(const Node& node, const Point& point, double slack) const {
+  if (node.triangle) {
+    const auto& c = corners_[node.shape];
+    const Vector& normal = side_axes_[node.face_side].w;
+    const double least = -slack * 2.0 * node.area;
+    return dot(cross(c[1] - c[0], point - c[0]), normal) >= least &&
+           dot(cross(c[2] - c[1], point - c[1]), normal) >= least &&
+           dot(cross(c[0] - c[2], point - c[2]), normal) >= least;
+  }
+  const auto& box = groups_[node.shape].rectangle;
+  const Frame& frame = side_axes_[node.face_side];
+  const Vector d = point - side_origin_[node.face_side];
+  const double u = dot(d, frame.u);
+  const double v = dot(d, frame.v);
+  const double edge = slack * (box[2] - box[0] + box[3] - box[1]);
+  return u >= box[0] - edge && u <= box[2] + edge && v >= box[1] - edge && v <= box[3] + edge;
+}
+
+ElementId ElementTree::find(FaceSide side, const Point& point) const {
+  const auto roots = roots_of(side);
+  if (roots.empty()) return {};
+  // Slack grows until something holds the point: hits are rounded, and may lie just outside the face.
+  for (double slack = kEdgeSlack; slack < 1.0; slack *= 30.0) {
+    std::array<std::uint32_t, 64> stack;
+    for (const ElementId r : roots) {
+      std::size_t depth = 0;
+      stack[depth++] = r.value;
+      while (depth > 0) {
+        const std::uint32_t id = stack[--depth];
+        const Node& n = nodes_[id];
+        if (!holds(n, point, slack)) continue;
+        if (n.triangle) {
+          // Below a triangle one child always holds the point: the one that it lies in, or the nearest.
+          std::uint32_t deepest = id;
+          while (nodes_[deepest].first_child != ElementId::kNone) {
+            const std::uint32_t first = nodes_[deepest].first_child;
+            std::uint32_t next = first + 3;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+              if (holds(nodes_[first + k], point, kEdgeSlack)) {
+                next = first + k;
+                break;
+              }
+            }
+            deepest = next;
+          }
+          return ElementId(deepest);
+        }
+        stack[depth++] = n.first_child + 1;
+        stack[depth++] = n.first_child;
+      }
+    }
+  }
+  return roots.front();
+}
+
+}  // namespace clerestory::mesh

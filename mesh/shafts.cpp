@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/shafts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clerestory::mesh {
+
+namespace {
+
+/// What reaches into a shaft by less than this blocks nothing that could be measured [m]. It absorbs the rounding of planes
+/// through shared vertices, some 1e-13 of the model's size.
+constexpr double kTouch = 1e-7;
+constexpr std::uint32_t kLeafSize = 4;
+/// So many possible blockers are tried as covers before a shaft is called partial.
+constexpr int kCoverTries = 6;
+
+/// Points with normal·p <= offset lie inside.
+struct Plane {
+  Vector normal;
+  double offset = 0.0;
+};
+
+double side_of(const Plane& plane, const Point& p) {
+  return plane.normal.x * p.x + plane.normal.y * p.y + plane.normal.z * p.z - plane.offset;
+}
+
+Plane plane_through(const Point& p, const Vector& normal) { return {normal, dot(normal, p - Point{})}; }
+
+/// Least value of normal·p - offset over a box.
+double least_over(const Plane& plane, const Box& box) {
+  const Point p{plane.normal.x > 0.0 ? box.low.x : box.high.x, plane.normal.y > 0.0 ? box.low.y : box.high.y,
+                plane.normal.z > 0.0 ? box.low.z : box.high.z};
+  return side_of(plane, p);
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
+         b.low.z < a.high.z;
+}
+
+/// Grown by a hair, so that flat boxes overlap what they lie in.
+Box grown(Box box) {
+  const Vector hair{kTouch, kTouch, kTouch};
+  box.low = box.low - hair;
+  box.high = box.high + hair;
+  return box;
+}
+
+bool is_convex(const std::vector<Point>& loop, const Vector& normal) {
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector a = loop[(i + 1) % n] - loop[i];
+    const Vector b = loop[(i + 2) % n] - loop[(i + 1) % n];
+    if (dot(cross(a, b), normal) < -1e-9 * norm(a) * norm(b)) return false;
+  }
+  return n >= 3;
+}
+
+/// True when q lies inside a convex loop seen from the tip of its normal.
+bool inside(const std::vector<Point>& loop, const Vector& normal, const Point& q) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point& a = loop[i];
+    const Vector edge = loop[(i + 1) % loop.size()] - a;
+    if (dot(cross(edge, q - a), normal) < kTouch * norm(edge)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+/// The hull of two ends, as planes that it lies behind.
+struct Shafts::Shaft {
+  std::array<Plane, 34> planes;
+  std::size_t count = 0;
+  std::array<Point, 8> corners;
+  std::size_t corner_count = 0;
+  Box box;
+
+  Shaft(const ShaftEnd& a, const ShaftEnd& b) {
+    for (const ShaftEnd* end : {&a, &b}) {
+      for (std::size_t i = 0; i < end->count; ++i) {
+        corners[corner_count++] = end->corners[i];
+        box.add(end->corners[i]);
+      }
+      // Light leaves and arrives in front of an end: what lies behind its plane is outside.
+      if (end->count >= 3) planes[count++] = plane_through(end->corners[0], -end->normal);
+    }
+    box = grown(box);
+    add_supporting_planes(a, b);
+    add_supporting_planes(b, a);
+  }
+
+  /// Planes through an edge of one end and a corner of the other that have all corners on one side.
+  void add_supporting_planes(const ShaftEnd& edges, const ShaftEnd& tips) {
+    if (edges.count < 2) return;
+    for (std::size_t i = 0; i < edges.count; ++i) {
+      const Point& p = edges.corners[i];
+      const Vector edge = edges.corners[(i + 1) % edges.count] - p;
+      for (std::size_t j = 0; j < tips.count; ++j) {
+        const Vector normal = cross(edge, tips.corners[j] - p);
+        const double length = norm(normal);
+        if (length < 1e-12) continue;
+        add_if_supporting(plane_through(p, normal / length));
+      }
+    }
+  }
+
+  void add_if_supporting(Plane plane) {
+    double least = 0.0;
+    double most = 0.0;
+    for (std::size_t k = 0; k < corner_count; ++k) {
+      const double s = side_of(plane, corners[k]);
+      least = std::min(least, s);
+      most = std::max(most, s);
+    }
+    if (most <= kTouch) {
+      planes[count++] = plane;
+    } else if (least >= -kTouch) {
+      planes[count++] = {-plane.normal, -plane.offset};
+    }
+  }
+
+  [[nodiscard]] bool misses(const Box& other) const {
+    if (!overlap(box, other)) return true;
+    return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(count),
+                       [&](const Plane& p) { return least_over(p, other) >= -kTouch; });
+  }
+
+  [[nodiscard]] bool misses(const Piece& piece) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (side_of(planes[i], piece.corners[0]) >= -kTouch && side_of(planes[i], piece.corners[1]) >= -kTouch &&
+          side_of(planes[i], piece.corners[2]) >= -kTouch) {
+        return true;
+      }
+    }
+    const Plane own = plane_through(piece.corners[0], piece.normal);
+    double least = 0.0;
+    double most = 0.0;
+    for (std::size_t k = 0; k < corner_count; ++k) {
+      const double s = side_of(own, corners[k]);
+      least = std::min(least, s);
+      most = std::max(most, s);
+    }
+    return most <= kTouch || least >= -kTouch;
+  }
+};
+
+Shafts::Shafts(const Faces& faces, std::span<const std::uint8_t> passable) {
+  convex_outline_.resize(faces.count());
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    const Face& face = faces.faces[f];
+    const bool passes = !passable.empty() && passable[f] != 0;
+    for (const Triangle& t : faces.shape.of(FaceId(f))) {
+      const auto& v = faces.shape.vertices;
+      pieces_.push_back({.corners = {v[t.vertices[0]], v[t.vertices[1]], v[t.vertices[2]]},
+                         .normal = face.frame.w,
+                         .face = static_cast<std::uint32_t>(f),
+                         .passable = passes});
+    }
+    if (face.loops.size() != 1) continue;
+    std::vector<Point> loop;
+    for (const std::uint32_t i : face.loops[0]) loop.push_back(faces.shape.vertices[i]);
+    if (is_convex(loop, face.frame.w)) convex_outline_[f] = std::move(loop);
+  }
+  if (!pieces_.empty()) build(0, static_cast<std::uint32_t>(pieces_.size()));
+}
+
+void Shafts::build(std::uint32_t begin, std::uint32_t end) {
+  const std::size_t id = nodes_.size();
+  nodes_.emplace_back();
+  Box box;
+  Box centres;
+  const auto centre = [](const Piece& p) {
+    Box b;
+    for (const Point& c : p.corners) b.add(c);
+    return b.centre();
+  };
+  for (std::uint32_t i = begin; i < end; ++i) {
+    for (const Point& c : pieces_[i].corners) box.add(c);
+    centres.add(centre(pieces_[i]));
+  }
+  nodes_[id].box = grown(box);
+  if (end - begin <= kLeafSize) {
+    nodes_[id].begin = begin;
+    nodes_[id].count = end - begin;
+    return;
+  }
+  const Vector size = centres.size();
+  const auto along = [&](const Piece& p) {
+    const Point c = centre(p);
+    return size.x >= size.y && size.x >= size.z ? c.x : (size.y >= size.z ? c.y : c.z);
+  };
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::stable_sort(pieces_.begin() + begin, pieces_.begin() + end,
+                   [&](const Piece& a, const Piece& b) { return along(a) < along(b); });
+  build(begin, middle);
+  nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
+  build(middle, end);
+}
+
+bool Shafts::covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const {
+  if (piece.passable) return false;
+  const std::vector<Point> triangle(piece.corners.begin(), piece.corners.end());
+  const auto& outline = convex_outline_[piece.face];
+  const std::vector<Point>& loop = outline.empty() ? triangle : outline;
+  const Plane plane = plane_through(piece.corners[0], piece.normal);
+  for (std::size_t i = 0; i < a.count; ++i) {
+    const double sa = side_of(plane, a.corners[i]);
+    for (std::size_t j = 0; j < b.count; ++j) {
+      const double sb = side_of(plane, b.corners[j]);
+      if (sa * sb >= 0.0 || std::min(std::abs(sa), std::abs(sb)) < kTouch) return false;
+      const Point q = a.corners[i] + (sa / (sa - sb)) * (b.corners[j] - a.corners[i]);
+      if (!inside(loop, piece.normal, q)) return false;
+    }
+  }
+  return true;
+}
+
+Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
+  if (nodes_.empty()) return Visibility::kVisible;
+  const Shaft shaft(a, b);
+  bool clear = true;
+  int tries = 0;
+  std::array<std::uint32_t, 64> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::uint32_t id = stack[--depth];
+    const Node& node = nodes_[id];
+    if (shaft.misses(node.box)) continue;
+    if (node.count == 0) {
+      stack[depth++] = node.right;
+      stack[depth++] = id + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i) {
+      if (shaft.misses(pieces_[i])) continue;
+      clear = false;
+      if (covers(pieces_[i], a, b)) return Visibility::kHidden;
+      if (++tries >= kCoverTries) return Visibility::kPartial;
+    }
+  }
+  return clear ? Visibility::kVisible : Visibility::kPartial;
+}
+
+}  // namespace clerestory::mesh

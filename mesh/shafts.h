@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/faces.h"
+#include "mesh/geometry.h"
+
+namespace clerestory::mesh {
+
+/// What is known of the sight between two convex planar pieces. Visible and hidden are proven; all else is partial.
+enum class Visibility : std::uint8_t { kPartial, kVisible, kHidden };
+
+/// One end of a shaft: corners of a convex planar piece and the unit normal of the side that takes part.
+struct ShaftEnd {
+  std::array<Point, 4> corners{};
+  std::size_t count = 0;  ///< 1 (a point: no plane of its own, the normal is zero) to 4
+  Vector normal;
+};
+
+/// Conservative visibility between planar pieces: the convex hull of both ends against a tree of the faces' triangles
+/// [Haines, Wallace 1994], hidden when one convex blocker covers the hull.
+class Shafts {
+ public:
+  /// @param passable  [faces] non-zero for glazing and openings: they make a shaft partial, never hidden; empty: none
+  Shafts(const Faces& faces, std::span<const std::uint8_t> passable);
+
+  [[nodiscard]] Visibility classify(const ShaftEnd& a, const ShaftEnd& b) const;
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0;  ///< leaf: pieces [begin, begin + count)
+    std::uint32_t count = 0;
+    std::uint32_t right = 0;  ///< inner: the left child follows its parent
+  };
+  /// A triangle of a face.
+  struct Piece {
+    std::array<Point, 3> corners{};
+    Vector normal;
+    std::uint32_t face = 0;
+    bool passable = false;
+  };
+  struct Shaft;
+
+  void build(std::uint32_t begin, std::uint32_t end);
+  [[nodiscard]] bool covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<Node> nodes_;
+  /// Faces whose outline is one convex loop, as blockers that cover more than one of their triangles could.
+  std::vector<std::vector<Point>> convex_outline_;
+};
+
+}  // namespace clerestory::mesh
