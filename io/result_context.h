@@ -15,7 +15,7 @@ struct ResultContext {
   std::string sky;              ///< in words: "CIE overcast sky, 10000 lx horizontal"
   double north_deg = 0.0;       ///< from +y, counter-clockwise
   std::string command;          ///< the command line, words quoted where needed
-  std::string effective_study;  ///< the study with all defaults filled in, as TOML
+  std::string effective_study;  ///< the study with all defaults filled in, a JSON object
   std::string date;             ///< of the run, local time with offset, "2026-03-21T12:00:00+01:00"
 };
 

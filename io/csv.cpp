@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/csv.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/whole_file.h"
+
+namespace clerestory::io {
+
+namespace {
+
+/// Room for the longest number here, a double of 1e308 in fixed notation.
+using Buffer = std::array<char, 400>;
+
+void append(std::string& line, const Buffer& buffer, std::to_chars_result result) {
+  line += ',';
+  line += std::string_view(buffer.data(), result.ptr);
+}
+
+void expect_finite(double value, const std::string& grid) {
+  if (!std::isfinite(value)) throw std::logic_error("grid '" + grid + "' holds a value that is not finite");
+}
+
+/// Micrometres, without trailing zeros and without "-0".
+void append_coordinate(std::string& line, double value_m, const std::string& grid) {
+  expect_finite(value_m, grid);
+  Buffer buffer;
+  auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_m, std::chars_format::fixed, 6);
+  while (result.ptr[-1] == '0') --result.ptr;
+  if (result.ptr[-1] == '.') --result.ptr;
+  if (std::string_view(buffer.data(), result.ptr) == "-0") {
+    line += ",0";
+    return;
+  }
+  append(line, buffer, result);
+}
+
+void append_direction(std::string& line, double value, const std::string& grid) {
+  expect_finite(value, grid);
+  Buffer buffer;
+  append(line, buffer,
+         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0, std::chars_format::general, 9));
+}
+
+void append_light(std::string& line, float value, const std::string& grid) {
+  expect_finite(value, grid);
+  Buffer buffer;
+  append(line, buffer, std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed));
+}
+
+void expect_whole(const lighting::GridResult& grid) {
+  const std::size_t count = grid.sensors.count();
+  const bool has_df = !grid.daylight_factor_percent.empty();
+  if (grid.sensors.normals.size() != count || grid.illuminance_lux.size() != count || grid.error_lux.size() != count ||
+      (has_df && grid.daylight_factor_percent.size() != count))
+    throw std::logic_error("grid '" + grid.name + "' has arrays of different lengths");
+}
+
+}  // namespace
+
+std::string grid_csv(const lighting::GridResult& grid) {
+  expect_whole(grid);
+  const bool has_df = !grid.daylight_factor_percent.empty();
+  std::string text = "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux";
+  text += has_df ? ",daylight_factor_percent\n" : "\n";
+  for (std::size_t i = 0; i < grid.sensors.count(); ++i) {
+    text += std::to_string(i);
+    const mesh::Point& p = grid.sensors.positions[i];
+    const mesh::Vector& n = grid.sensors.normals[i];
+    for (const double x : {p.x, p.y, p.z}) append_coordinate(text, x, grid.name);
+    for (const double x : {n.x, n.y, n.z}) append_direction(text, x, grid.name);
+    append_light(text, grid.illuminance_lux[i], grid.name);
+    append_light(text, grid.error_lux[i], grid.name);
+    if (has_df) append_light(text, grid.daylight_factor_percent[i], grid.name);
+    text += '\n';
+  }
+  return text;
+}
+
+void write_grid_csv(const std::filesystem::path& file, const lighting::GridResult& grid) {
+  write_whole_file(file, grid_csv(grid));
+}
+
+}  // namespace clerestory::io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lighting/results.h"
+
+namespace clerestory::io {
+
+/// A grid as a table, a sensor a line in the order of the sensors:
+/// `id,x,y,z,nx,ny,nz,illuminance_lux,error_lux[,daylight_factor_percent]`, positions [m, model coordinates].
+/// Positions have six decimals (1 µm), normals nine significant digits, and light values the fewest digits that read
+/// back as the same float. The bytes depend on the values alone, not on locale or threads.
+/// A value that is not finite is our own bug: throws std::logic_error.
+std::string grid_csv(const lighting::GridResult& grid);
+
+/// Writes grid_csv() to a file. Throws MachineError when it cannot be written whole.
+void write_grid_csv(const std::filesystem::path& file, const lighting::GridResult& grid);
+
+}  // namespace clerestory::io

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/summary.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+namespace clerestory::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What marks a summary.json as ours.
+constexpr const char* kProgram = "clerestory";
+
+double finite(double value, std::string_view name) {
+  if (!std::isfinite(value)) throw std::logic_error("'" + std::string(name) + "' is not finite");
+  return value;
+}
+
+/// An object of numbers, each finite.
+Json numbers(std::initializer_list<std::pair<std::string_view, double>> entries) {
+  Json object = Json::object();
+  for (const auto& [name, value] : entries) object[std::string(name)] = finite(value, name);
+  return object;
+}
+
+Json head(const ResultContext& context, std::string_view status) {
+  Json json;
+  json["program"] = kProgram;
+  json["version"] = context.version;
+  json["status"] = status;
+  json["name"] = context.study_name;
+  json["kind"] = context.kind == lighting::Study::Kind::kDaylight ? "daylight" : "illuminance";
+  json["command"] = context.command;
+  json["date"] = context.date;
+  return json;
+}
+
+Json grid_summary(const lighting::GridResult& grid) {
+  const lighting::GridMetrics& m = grid.metrics;
+  Json json;
+  json["name"] = grid.name;
+  json["sensors"] = grid.sensors.count();
+  json["sensors_left_out"] = grid.sensors.left_out;
+  json.update(numbers({{"mean_lux", m.mean_lux},
+                       {"median_lux", m.median_lux},
+                       {"minimum_lux", m.minimum_lux},
+                       {"maximum_lux", m.maximum_lux},
+                       {"uniformity", m.uniformity}}));
+  if (m.has_daylight_factor)
+    json.update(numbers({{"mean_daylight_factor_percent", m.mean_df_percent},
+                         {"median_daylight_factor_percent", m.median_df_percent},
+                         {"minimum_daylight_factor_percent", m.minimum_df_percent},
+                         {"share_above_2_percent", m.share_above_2_percent},
+                         {"share_above_5_percent", m.share_above_5_percent}}));
+  json["accuracy_reached"] = finite(m.accuracy_reached, "accuracy_reached");
+  json["share_within_twice_the_accuracy"] = finite(m.share_within_twice, "share_within_twice_the_accuracy");
+  json["accuracy_met"] = m.accuracy_met;
+  return json;
+}
+
+Json grid_summaries(const std::vector<lighting::GridResult>& grids) {
+  Json list = Json::array();
+  for (const auto& grid : grids) list.push_back(grid_summary(grid));
+  return list;
+}
+
+Json accuracy(const lighting::Results& results) {
+  Json json = numbers({{"asked", results.accuracy_target}, {"reached", results.accuracy_reached}});
+  json["met"] = results.accuracy_met;
+  return json;
+}
+
+Json energy_balance(const lighting::EnergyBalance& e) {
+  return numbers({{"emitted_lm", e.emitted_lm},
+                  {"received_lm", e.received_lm},
+                  {"absorbed_lm", e.absorbed_lm},
+                  {"left_lm", e.left_lm},
+                  {"residual", e.residual},
+                  {"reciprocity", e.reciprocity},
+                  {"closure", e.closure}});
+}
+
+Json counts(const lighting::Results::Counts& c) {
+  return {{"parts", c.parts},       {"polygons", c.polygons}, {"openings", c.openings}, {"faces", c.faces},
+          {"elements", c.elements}, {"links", c.links},       {"rays", c.rays},         {"iterations", c.iterations}};
+}
+
+/// CPU and wall seconds, by phase; the CPU total is the whole process's, start-up included.
+Json times(const lighting::Results& results, const RunFigures& figures) {
+  Json cpu = Json::object();
+  Json wall = Json::object();
+  double wall_total = 0.0;
+  for (const auto* phases : {&figures.before, &results.phases, &figures.after}) {
+    for (const lighting::PhaseTime& phase : *phases) {
+      cpu[phase.name] = cpu.value(phase.name, 0.0) + finite(phase.cpu_s, phase.name);
+      wall[phase.name] = wall.value(phase.name, 0.0) + finite(phase.wall_s, phase.name);
+      wall_total += phase.wall_s;
+    }
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  cpu["total"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  wall["total"] = wall_total;
+  return {{"cpu_seconds", cpu},
+          {"wall_seconds", wall},
+          {"threads", figures.threads},
+          {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024.0}};
+}
+
+Json materials(const std::vector<lighting::Results::MaterialUse>& uses) {
+  Json list = Json::array();
+  for (const auto& use : uses) list.push_back({{"name", use.name}, {"became", use.became}, {"why", use.why}});
+  return list;
+}
+
+Json defects(const mesh::CleanReport& report) {
+  Json object = Json::object();
+  for (const mesh::Defect& defect : report.defects)
+    object[defect.kind] = {{"found", defect.found}, {"mended", defect.mended}};
+  return object;
+}
+
+/// Each sentence once, in the order of its first appearance.
+std::vector<std::string> without_repeats(std::vector<std::string> sentences) {
+  std::vector<std::string> kept;
+  for (std::string& sentence : sentences)
+    if (std::find(kept.begin(), kept.end(), sentence) == kept.end()) kept.push_back(std::move(sentence));
+  return kept;
+}
+
+Json study(const ResultContext& context) {
+  if (context.effective_study.empty()) return nullptr;
+  return Json::parse(context.effective_study);
+}
+
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+}
+
+}  // namespace
+
+std::string summary_json(const lighting::Results& results, const ResultContext& context, const RunFigures& figures) {
+  Json json = head(context, results.accuracy_met ? kStatusDone : kStatusAccuracyNotReached);
+  json["sky"] = context.sky;
+  json["horizontal_illuminance_lux"] = finite(results.horizontal_illuminance_lux, "horizontal_illuminance_lux");
+  json["accuracy"] = accuracy(results);
+  json["grids"] = grid_summaries(results.grids);
+  json["energy_balance"] = energy_balance(results.energy);
+  json["counts"] = counts(results.counts);
+  json.update(times(results, figures));
+  json["parts"] = results.surfaces.part_names;
+  json["materials"] = materials(results.materials);
+  json["defects"] = defects(results.clean);
+  json["assumptions"] = without_repeats(results.assumptions);
+  json["notices"] = without_repeats(results.notices);
+  json["study"] = study(context);
+  json["files"] = figures.files;
+  return text_of(json);
+}
+
+std::string failure_json(const ResultContext& context, const std::string& why) {
+  Json json = head(context, kStatusFailed);
+  json["why"] = why;
+  json["study"] = study(context);
+  json["files"] = {"summary.json"};
+  return text_of(json);
+}
+
+std::optional<EarlierSummary> read_earlier_summary(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const Json json = Json::parse(in, nullptr, false);
+  if (!json.is_object() || json.value("program", Json()) != kProgram) return std::nullopt;
+  EarlierSummary summary;
+  const Json status = json.value("status", Json());
+  if (status.is_string()) summary.status = status.get<std::string>();
+  for (const Json& name : json.value("files", Json::array())) {
+    // A path that leads out of the folder can only be a forgery: it is never touched.
+    if (name.is_string() && is_plain_name(name.get<std::string>())) summary.files.push_back(name.get<std::string>());
+  }
+  return summary;
+}
+
+}  // namespace clerestory::io

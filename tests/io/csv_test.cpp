@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/csv.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+#include "mesh/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace clerestory::io {
+namespace {
+
+lighting::GridResult two_sensors() {
+  lighting::GridResult grid;
+  grid.name = "desk";
+  grid.sensors.positions = {{1.5, 2.0, 0.8}, {612345.123456, -0.0000001, 0.1 + 0.2}};
+  grid.sensors.normals = {{0.0, 0.0, 1.0}, {-0.0, 0.6, 0.8}};
+  grid.illuminance_lux = {123.456F, 100000.0F};
+  grid.error_lux = {1.5F, 1e-7F};
+  return grid;
+}
+
+TEST(Csv, HasASensorALineInTheOrderOfTheSensors) {
+  EXPECT_EQ(grid_csv(two_sensors()),
+            "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux\n"
+            "0,1.5,2,0.8,0,0,1,123.456,1.5\n"
+            "1,612345.123456,0,0.3,0,0.6,0.8,100000,0.0000001\n");
+}
+
+TEST(Csv, HasTheDaylightFactorWhereTheGridHasIt) {
+  auto grid = two_sensors();
+  grid.daylight_factor_percent = {1.25F, 0.0F};
+  const std::string csv = grid_csv(grid);
+  EXPECT_NE(csv.find(",error_lux,daylight_factor_percent\n"), std::string::npos);
+  EXPECT_NE(csv.find(",123.456,1.5,1.25\n"), std::string::npos);
+}
+
+TEST(Csv, LightReadsBackAsTheSameFloat) {
+  auto grid = two_sensors();
+  for (const float value : {0.1F, 1.0F / 3.0F, 16777217.0F, std::numeric_limits<float>::min(), 3.4e38F}) {
+    grid.illuminance_lux[0] = value;
+    std::istringstream line(grid_csv(grid));
+    std::string field;
+    std::getline(line, field);
+    for (int i = 0; i < 8; ++i) std::getline(line, field, ',');
+    EXPECT_EQ(std::strtof(field.c_str(), nullptr), value) << field;
+  }
+}
+
+/// Writes 1.5 as 1;5 and 1000 as 1'000.
+struct OddNumbers : std::numpunct<char> {
+  char do_decimal_point() const override { return ';'; }
+  char do_thousands_sep() const override { return '\''; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Csv, DoesNotDependOnTheLocale) {
+  const std::string plain = grid_csv(two_sensors());
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new OddNumbers));
+  const std::string odd = grid_csv(two_sensors());
+  std::locale::global(before);
+  EXPECT_EQ(odd, plain);
+}
+
+TEST(Csv, NeverHoldsAValueThatIsNotFinite) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    auto grid = two_sensors();
+    grid.error_lux[1] = bad;
+    EXPECT_THROW(grid_csv(grid), std::logic_error);
+  }
+}
+
+TEST(Csv, RefusesArraysOfDifferentLengths) {
+  auto grid = two_sensors();
+  grid.error_lux.pop_back();
+  EXPECT_THROW(grid_csv(grid), std::logic_error);
+}
+
+TEST(Csv, AFileThatCannotBeWrittenIsTheMachinesFault) {
+  const test::ScratchFolder scratch;
+  EXPECT_THROW(write_grid_csv(scratch.path() / "missing" / "desk.csv", two_sensors()), MachineError);
+  EXPECT_THROW(write_grid_csv("/dev/full", two_sensors()), MachineError);
+}
+
+}  // namespace
+}  // namespace clerestory::io
