@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "mesh/error.h"
+
+namespace clerestory::io {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+constexpr std::size_t kLongestLine = std::size_t{64} << 20;  // a face of some 8 million corners; more is no model
+
+std::FILE* open(const std::filesystem::path& path, std::string_view kind) {
+  require_file(path, kind);
+  std::FILE* stream = std::fopen(path.c_str(), "rb");
+  if (stream == nullptr)
+    throw InputError(path.string(), 0, fmt::format("this {} cannot be read: {}", kind, std::strerror(errno)),
+                     "give yourself the right to read it");
+  return stream;
+}
+
+bool is_utf16(std::string_view text) { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
+
+[[noreturn]] void refuse_utf16(const std::string& file) {
+  throw InputError(file, 1, "the text is in UTF-16", "save it as UTF-8");
+}
+
+}  // namespace
+
+void require_file(const std::filesystem::path& path, std::string_view kind) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::regular) return;
+  const std::string file = path.string();
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError(file, 0, fmt::format("there is no such {}", kind), "check the name and the folder");
+  if (status.type() == std::filesystem::file_type::directory)
+    throw InputError(file, 0, "this is a folder", fmt::format("name the {} file in it", kind));
+  if (error) throw InputError(file, 0, fmt::format("this {} cannot be read: {}", kind, error.message()));
+  throw InputError(file, 0, "this is no regular file", fmt::format("save the {} to a file first", kind));
+}
+
+std::string read_text_file(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(path, kind), &std::fclose);
+  std::string text;
+  std::vector<char> buffer(std::min<std::uint64_t>(limit + 1, kBufferBytes));
+  while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
+    text.append(buffer.data(), read);
+    if (text.size() > limit)
+      throw InputError(path.string(), 0, fmt::format("the file has over {} bytes", limit),
+                       fmt::format("is it a {}?", kind));
+  }
+  if (std::ferror(stream.get()) != 0) throw MachineError(path.string() + ": reading failed: " + std::strerror(errno));
+  if (is_utf16(text)) refuse_utf16(path.string());
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return text;
+}
+
+LineReader::LineReader(const std::filesystem::path& path, std::string_view kind)
+    : file_(path.string()), stream_(open(path, kind)), buffer_(kBufferBytes) {
+  skip_byte_order_mark();
+}
+
+bool LineReader::fill() {
+  if (at_ < filled_) return true;
+  at_ = 0;
+  filled_ = std::fread(buffer_.data(), 1, buffer_.size(), stream_.get());
+  if (std::ferror(stream_.get()) != 0) throw MachineError(file_ + ": reading failed: " + std::strerror(errno));
+  return filled_ > 0;
+}
+
+void LineReader::skip_byte_order_mark() {
+  fill();
+  const std::string_view start(buffer_.data(), filled_);
+  if (is_utf16(start)) refuse_utf16(file_);
+  if (start.starts_with("\xef\xbb\xbf")) at_ = 3;
+}
+
+void LineReader::append(const char* begin, const char* end) {
+  if (std::find(begin, end, '\0') != end)
+    throw InputError(file_, lines_read_ + 1, "there is a zero byte here, so this is no text file",
+                     "export the model as text");
+  if (line_.size() + static_cast<std::size_t>(end - begin) > kLongestLine)
+    throw InputError(file_, lines_read_ + 1, fmt::format("this line has over {} MiB", kLongestLine >> 20),
+                     "break it into several");
+  line_.append(begin, end);
+}
+
+bool LineReader::read_line() {
+  bool any = false;
+  while (fill()) {
+    if (after_return_ && buffer_[at_] == '\n') {
+      after_return_ = false;
+      ++at_;
+      continue;
+    }
+    after_return_ = false;
+    any = true;
+    const char* begin = buffer_.data() + at_;
+    const char* end = buffer_.data() + filled_;
+    const char* stop = std::find_if(begin, end, [](char c) { return c == '\n' || c == '\r'; });
+    append(begin, stop);
+    at_ += static_cast<std::size_t>(stop - begin);
+    if (stop == end) continue;
+    after_return_ = *stop == '\r';
+    ++at_;
+    break;
+  }
+  if (any) ++lines_read_;
+  return any;
+}
+
+bool LineReader::next() {
+  line_.clear();
+  if (!read_line()) return false;
+  number_ = lines_read_;
+  return true;
+}
+
+bool LineReader::next_continued() {
+  if (!next()) return false;
+  while (line_.ends_with('\\')) {
+    line_.back() = ' ';
+    if (!read_line()) break;
+  }
+  return true;
+}
+
+}  // namespace clerestory::io
