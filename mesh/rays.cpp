@@ -55,6 +55,7 @@ struct Rays::Data {
   std::vector<Face> planes;  // frames and origins of the faces, loops left out
   /// Embree geometry 0 holds the opaque triangles, geometry 1 the passable ones: primitive → face.
   std::array<std::vector<FaceId>, 2> face_of;
+  std::array<std::vector<std::uint32_t>, 2> triangle_of;  // and primitive → triangle of Faces::shape
   std::vector<Passage> passages;
   std::vector<TransmittanceCurve> curves;
   mutable std::array<Counter, kCounters> counters;
@@ -107,7 +108,8 @@ void filter_passable(const RTCFilterFunctionNArguments* args) {
   const bool towards_front = slope > 0.0;
   if (passage.opening && towards_front == (passage.outside == Side::kFront)) return;
   const double cosine = std::abs(slope) / norm(direction);
-  shadow.passed *= transmittance_at((*shadow.curves)[static_cast<std::size_t>(passage.curve)], static_cast<float>(cosine));
+  shadow.passed *=
+      transmittance_at((*shadow.curves)[static_cast<std::size_t>(passage.curve)], static_cast<float>(cosine));
   if (shadow.passed > 0.0F) args->valid[0] = 0;
 }
 
@@ -122,6 +124,7 @@ void Rays::Data::attach(const Faces& faces, std::span<const std::uint8_t> passab
     for (const Triangle& t : faces.shape.of(FaceId(f))) {
       triangles.push_back(&t);
       mine.push_back(FaceId(f));
+      triangle_of[geometry_id].push_back(static_cast<std::uint32_t>(&t - faces.shape.triangles.data()));
     }
   }
   if (triangles.empty()) return;
@@ -224,7 +227,10 @@ Hit Rays::first_hit(const Ray& ray) const {
   // Where the ray lies almost in the plane, the division says nothing: the single-precision distance does.
   const double coarse = query.ray.tfar;
   const bool sound = std::abs(exact - coarse) <= 1e-3 * coarse + data_->offset / norm(ray.direction);
-  return {face, slope < 0.0 ? Side::kFront : Side::kBack, sound ? exact : coarse};
+  return {.face = face,
+          .side = slope < 0.0 ? Side::kFront : Side::kBack,
+          .distance = sound ? exact : coarse,
+          .triangle = data_->triangle_of[query.hit.geomID][query.hit.primID]};
 }
 
 void Rays::transmittance(std::span<const Segment> segments, std::span<float> passed) const {

@@ -32,7 +32,8 @@ struct Passage {
   std::int32_t curve = kOpaque;  ///< index of a transmittance curve, or kOpaque
   /// A sampled opening: segments that pass it towards `outside` are not carried by segments() but by the opening's own samples.
   bool opening = false;
-  Side outside = Side::kFront;  ///< the side that faces outwards: a ray leaves when it goes on into that side's half space
+  Side outside =
+      Side::kFront;  ///< the side that faces outwards: a ray leaves when it goes on into that side's half space
 };
 
 struct Ray {
@@ -43,7 +44,8 @@ struct Ray {
 struct Hit {
   FaceId face;  ///< invalid when nothing is hit
   Side side = Side::kFront;
-  double distance = 0.0;  ///< in units of the direction's length
+  double distance = 0.0;       ///< in units of the direction's length
+  std::uint32_t triangle = 0;  ///< index into Faces::shape.triangles
 };
 
 /// From a point to a point; callers lift ends that lie on a surface off it by Rays::offset_m() along its normal.
