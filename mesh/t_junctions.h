@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/box_tree.h"
+#include "mesh/defects.h"
+#include "mesh/soup.h"
+
+// Private to mesh/.
+namespace clerestory::mesh {
+
+/// An undirected edge: two vertex indices, the smaller first.
+using Edge = std::array<std::uint32_t, 2>;
+
+constexpr Edge edge_between(std::uint32_t a, std::uint32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+struct EdgeHash {
+  std::size_t operator()(const Edge& e) const {
+    return static_cast<std::size_t>((static_cast<std::uint64_t>(e[0]) << 32U | e[1]) * 0x9E3779B97F4A7C15ULL);
+  }
+};
+
+/// Per edge the vertices that lie on it, in order from its first vertex to its second.
+using EdgeSplits = std::unordered_map<Edge, std::vector<std::uint32_t>, EdgeHash>;
+
+/// Finds the vertices within a distance of segments.
+class SegmentSearch {
+ public:
+  SegmentSearch(std::span<const Point> points, double tolerance);
+
+  /// The vertices within the tolerance of the inner part of the segment between two vertices, in order along it, without
+  /// those two. O(log n) where few are near.
+  [[nodiscard]] std::vector<std::uint32_t> on(const Edge& edge) const;
+
+ private:
+  std::span<const Point> points_;
+  double tolerance_;
+  BoxTree tree_;
+};
+
+/// Makes vertices within the tolerance of an edge, of whatever part, corners of that edge's polygon, until no such vertex is left.
+/// Counts "T-junctions": vertices on edges.
+/// @return whether anything changed
+bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects);
+
+/// The loop with the vertices of the splits set into its edges.
+std::vector<std::uint32_t> split_loop(std::span<const std::uint32_t> loop, const EdgeSplits& splits);
+
+}  // namespace clerestory::mesh

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/vertex_index.h"
+
+#include <cmath>
+#include <limits>
+
+namespace clerestory::mesh {
+
+namespace {
+constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+}
+
+// Primes of Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects, VMV 2003.
+std::size_t VertexIndex::Hash::operator()(const Cell& cell) const {
+  std::uint64_t h = static_cast<std::uint64_t>(cell.x) * 73856093U ^ static_cast<std::uint64_t>(cell.y) * 19349663U ^
+                    static_cast<std::uint64_t>(cell.z) * 83492791U;
+  h ^= h >> 32U;
+  return static_cast<std::size_t>(h * 0x9E3779B97F4A7C15ULL);
+}
+
+VertexIndex::Cell VertexIndex::cell_of(const Point& p) const {
+  return {static_cast<std::int64_t>(std::floor(p.x / cell_)), static_cast<std::int64_t>(std::floor(p.y / cell_)),
+          static_cast<std::int64_t>(std::floor(p.z / cell_))};
+}
+
+std::optional<std::uint32_t> VertexIndex::find(const Point& p) const {
+  const Cell centre = cell_of(p);
+  double best_distance = cell_;
+  std::uint32_t best = kEnd;
+  for (std::int64_t dx = -1; dx <= 1; ++dx) {
+    for (std::int64_t dy = -1; dy <= 1; ++dy) {
+      for (std::int64_t dz = -1; dz <= 1; ++dz) {
+        const auto cell = head_.find({centre.x + dx, centre.y + dy, centre.z + dz});
+        if (cell == head_.end()) continue;
+        for (std::uint32_t i = cell->second; i != kEnd; i = next_[i]) {
+          const double distance = norm(points_[i] - p);
+          if (distance < best_distance || (distance == best_distance && i < best)) {
+            best_distance = distance;
+            best = i;
+          }
+        }
+      }
+    }
+  }
+  if (best == kEnd) return std::nullopt;
+  return best;
+}
+
+std::uint32_t VertexIndex::add(const Point& p) {
+  if (const std::optional<std::uint32_t> found = find(p)) return *found;
+  const auto index = static_cast<std::uint32_t>(points_.size());
+  points_.push_back(p);
+  const auto [place, fresh] = head_.try_emplace(cell_of(p), index);
+  next_.push_back(fresh ? kEnd : place->second);
+  place->second = index;
+  return index;
+}
+
+}  // namespace clerestory::mesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/geometry.h"
+
+// Private to mesh/.
+namespace clerestory::mesh {
+
+/// Points, no two of them closer than a tolerance: a point that is near one already there becomes that one, without moving it.
+/// So nothing moves by more than the tolerance, however long a chain of near points is, and the result does not change when it
+/// goes through again. The order in which points come decides which stay.
+class VertexIndex {
+ public:
+  /// @param tolerance  distance up to which points are one [m], > 0
+  explicit VertexIndex(double tolerance) : cell_(tolerance) {}
+
+  /// The nearest point within the tolerance (the first of equally near ones), or a new one.
+  std::uint32_t add(const Point& p);
+  [[nodiscard]] std::optional<std::uint32_t> find(const Point& p) const;
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] const Point& operator[](std::uint32_t index) const { return points_[index]; }
+
+ private:
+  struct Cell {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    std::int64_t z = 0;
+    bool operator==(const Cell&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+
+  [[nodiscard]] Cell cell_of(const Point& p) const;
+
+  double cell_;  ///< side of a cell = tolerance [m], so that the 27 cells around a point hold all that is near
+  std::vector<Point> points_;
+  std::unordered_map<Cell, std::uint32_t, Hash> head_;  ///< newest point of a cell; at most a few share one
+  std::vector<std::uint32_t> next_;                     ///< the next older point of the same cell
+};
+
+}  // namespace clerestory::mesh
