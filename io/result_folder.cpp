@@ -86,6 +86,7 @@ void expect_no_taken_name(const fs::path& folder, const std::vector<std::string>
 /// Makes the folder with its parents, and lists those that were missing, the outermost first.
 void make_folders(const fs::path& folder, std::vector<fs::path>& made) {
   if (fs::is_directory(folder)) return;
+  if (is_there(folder)) throw fs::filesystem_error("", folder, std::make_error_code(std::errc::not_a_directory));
   if (folder.has_parent_path() && folder != folder.parent_path()) make_folders(folder.parent_path(), made);
   if (fs::create_directory(folder)) made.push_back(folder);
 }
@@ -119,6 +120,8 @@ void check_result_folder(const fs::path& folder, const std::vector<std::string>&
     expect_no_taken_name(place, names);
     const ResultFolder probe(place);
     write_whole_file(probe.staging() / "probe", std::string(kProbeBytes, ' '));
+  } catch (const WriteError& error) {
+    fail(folder, error.reason());
   } catch (const fs::filesystem_error& error) {
     fail(folder, error.code().message());
   }

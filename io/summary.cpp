@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/summary.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+
+#include "io/stopwatch.h"
 
 namespace clerestory::io {
 
@@ -105,17 +105,10 @@ Json times(const lighting::Results& results, const RunFigures& figures) {
       wall_total += phase.wall_s;
     }
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  cpu["total"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  cpu["total"] = process_cpu_seconds();
   wall["total"] = wall_total;
-  return {{"cpu_seconds", cpu},
-          {"wall_seconds", wall},
-          {"threads", figures.threads},
-          {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024.0}};
+  return {
+      {"cpu_seconds", cpu}, {"wall_seconds", wall}, {"threads", figures.threads}, {"peak_memory_mb", peak_memory_mb()}};
 }
 
 Json materials(const std::vector<lighting::Results::MaterialUse>& uses) {

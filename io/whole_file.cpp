@@ -5,14 +5,12 @@
 #include <cstdio>
 #include <system_error>
 
-#include "mesh/error.h"
-
 namespace clerestory::io {
 
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file, int error) {
-  throw MachineError(file.string() + ": cannot be written: " + std::generic_category().message(error));
+  throw WriteError(file, std::generic_category().message(error));
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write_results.h"
+
+#include <algorithm>
+
+#include "io/csv.h"
+#include "io/map.h"
+#include "io/result_folder.h"
+#include "io/stopwatch.h"
+#include "io/vtk_files.h"
+#include "io/whole_file.h"
+#include "mesh/error.h"
+
+namespace clerestory::io {
+
+namespace {
+
+constexpr const char* kSummary = "summary.json";
+constexpr const char* kSurfaces = "surfaces.vtp";
+constexpr const char* kCollection = "result.vtm";
+
+/// Leaves room for an ending within the 255 bytes of a file name.
+constexpr std::size_t kLongestGridName = 200;
+
+void expect_usable_as_file_name(const std::string& grid) {
+  const auto is_bad = [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; };
+  const bool usable = !grid.empty() && grid.size() <= kLongestGridName && grid.front() != '.' &&
+                      std::none_of(grid.begin(), grid.end(), is_bad);
+  if (!usable)
+    throw InputError("", 0, "the grid's name '" + grid.substr(0, 60) + "' cannot be the name of a file",
+                     "use letters, digits, - and _");
+}
+
+/// What has been written so far.
+struct Output {
+  std::filesystem::path folder;
+  std::vector<std::string> names;
+  std::vector<VtmEntry> collection;
+
+  std::filesystem::path add(const std::string& name) {
+    names.push_back(name);
+    return folder / name;
+  }
+};
+
+void write_grid(Output& output, const lighting::Results& results, const lighting::GridResult& grid,
+                const ResultContext& context) {
+  write_grid_csv(output.add(grid.name + ".csv"), grid);
+  write_grid_vtp(output.add(grid.name + ".vtp"), results, grid, context);
+  output.collection.push_back({grid.name, grid.name + ".vtp"});
+  if (grid.sensors.cells.empty()) return;  // a list of points without order makes no map
+  write_map_png(output.add(grid.name + ".png"), grid, results, context);
+}
+
+/// Writes all files but the summary.
+void write_files(Output& output, const lighting::Results& results, const ResultContext& context, Progress& progress) {
+  const double steps = static_cast<double>(results.grids.size()) + 2.0;
+  double step = 0.0;
+  for (const lighting::GridResult& grid : results.grids) {
+    write_grid(output, results, grid, context);
+    progress.advance(++step / steps);
+  }
+  write_surfaces_vtp(output.add(kSurfaces), results, context);
+  progress.advance(++step / steps);
+  output.collection.push_back({"surfaces", kSurfaces});
+  write_result_vtm(output.add(kCollection), output.collection);
+}
+
+}  // namespace
+
+std::vector<std::string> result_names(const lighting::Study& study) {
+  std::vector<std::string> names = {kSummary, kSurfaces, kCollection};
+  for (const lighting::GridRequest& grid : study.grids) {
+    expect_usable_as_file_name(grid.name);
+    for (const char* ending : {".csv", ".vtp", ".png"}) {
+      const std::string name = grid.name + ending;
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        throw InputError("", 0, "the grid '" + grid.name + "' would write " + name + ", as other results do",
+                         "give it another name");
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::string write_results(const std::filesystem::path& folder, const lighting::Results& results,
+                          const ResultContext& context, RunFigures figures, Progress& progress) {
+  const Stopwatch writing;
+  progress.phase("writing");
+  ResultFolder target(folder);
+  try {
+    Output output{target.staging(), {}, {}};
+    write_files(output, results, context, progress);
+    const std::filesystem::path summary_file = output.add(kSummary);
+    figures.files = output.names;
+    figures.after.push_back(writing.elapsed("writing"));
+    const std::string summary = summary_json(results, context, figures);
+    write_whole_file(summary_file, summary);
+    progress.advance(1.0);  // the last moment at which the user can turn back
+    target.commit(output.names);
+    return summary;
+  } catch (const WriteError& error) {  // by the name that the file would have had
+    throw WriteError(folder / error.file().filename(), error.reason());
+  }
+}
+
+void write_failure(const std::filesystem::path& folder, const ResultContext& context, const std::string& why) {
+  ResultFolder(folder).commit_failure(failure_json(context, why));
+}
+
+}  // namespace clerestory::io

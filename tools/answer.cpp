@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/answer.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "clerestory_version.h"
+#include "io/result_folder.h"
+#include "io/stopwatch.h"
+#include "io/study_file.h"
+#include "io/write_results.h"
+#include "lighting/run.h"
+#include "mesh/error.h"
+#include "tools/exit_status.h"
+#include "tools/failure.h"
+#include "tools/interruption.h"
+#include "tools/report.h"
+#include "tools/terminal_progress.h"
+
+namespace clerestory::tools {
+
+namespace {
+
+/// What a finished run gives to the terminal.
+struct Answer {
+  lighting::Results results;
+  std::string summary;
+};
+
+std::string sky_in_words(const lighting::Sky& sky) {
+  switch (sky.type) {
+    case lighting::Sky::Type::kNone:
+      return "no sky";
+    case lighting::Sky::Type::kUniform:
+      return fmt::format("uniform sky of {:.6g} lx", sky.horizontal_illuminance_lux);
+    case lighting::Sky::Type::kCieOvercast:
+      return fmt::format("CIE overcast sky of {:.6g} lx", sky.horizontal_illuminance_lux);
+  }
+  return {};
+}
+
+/// Local time with its offset, as in ISO 8601.
+std::string now_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[40];
+  std::string date(text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", &local));
+  return date.insert(date.size() - 2, ":");
+}
+
+io::ResultContext context_of(const io::StudyInput& input, const Options& options) {
+  const lighting::Study& study = input.study;
+  return {study.name,      study.kind,           kVersion,  sky_in_words(study.sky), study.north_deg,
+          options.command, input.effective_json, now_text()};
+}
+
+/// Runs and writes. What goes wrong by nobody's wish is told in the folder before it is told to the user.
+Answer run_and_write(const lighting::Study& study, const io::ResultContext& context, io::RunFigures figures,
+                     const Options& options) {
+  TerminalProgress progress(!options.quiet && stderr_is_terminal());
+  try {
+    Answer answer;
+    answer.results = lighting::run(study, progress);
+    answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
+    return answer;
+  } catch (const InputError&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    try {
+      io::write_failure(options.out, context, describe(error).line);
+    } catch (const std::exception&) {
+      // The disk that is full, most likely: the first error is the one to tell, and the older results stand as they were.
+    }
+    throw;
+  }
+}
+
+void print(const std::string& text) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!whole) throw MachineError("standard output: cannot be written; the results are in their folder all the same");
+}
+
+}  // namespace
+
+int answer(lighting::Study::Kind kind, const Options& options) {
+  const io::Stopwatch reading;
+  const io::StudyInput input = io::read_study(options.study, {kind, options.set});
+  const io::ResultContext context = context_of(input, options);
+  io::check_result_folder(options.out, io::result_names(input.study));
+  io::RunFigures figures;
+  figures.before.push_back(reading.elapsed("reading"));
+  figures.threads = options.threads;
+  lighting::set_threads(options.threads);
+
+  end_orderly();
+  const Answer answer = run_and_write(input.study, context, std::move(figures), options);
+  if (options.json) {
+    print(answer.summary);
+  } else if (!options.quiet) {
+    print(report(answer.results, context, options.out));
+  }
+  if (answer.results.accuracy_met) return kDone;
+  fmt::print(stderr,
+             "error: the accuracy of {:.3g} % was not reached, only {:.3g} %; the results in {} are marked so\n",
+             100.0 * answer.results.accuracy_target, 100.0 * answer.results.accuracy_reached, options.out.string());
+  return kAccuracyNotReached;
+}
+
+}  // namespace clerestory::tools

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace clerestory::tools {
+
+/// The command line is at fault. what() gives it as one line. Exit status 2.
+class CommandLineError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the subcommands have in common.
+struct Options {
+  std::filesystem::path study;   ///< or a model
+  std::filesystem::path out;     ///< the folder of the results
+  std::vector<std::string> set;  ///< "key=value", in the order given, `--accuracy` last as "accuracy.target=..."
+  int threads = 0;               ///< 0: every core
+  bool quiet = false;
+  bool json = false;
+  std::string command;  ///< the whole command line, words quoted where a shell needs it
+};
+
+/// What the command line asks for: a subcommand, or a text to be printed.
+struct Request {
+  enum class What { kText, kDaylight, kIlluminance };
+
+  What what = What::kText;
+  std::string text;  ///< of --help and --version
+  Options options;
+};
+
+/// Reads the command line, the program's own name first. Throws CommandLineError, with the nearest known word where a
+/// subcommand or an option is unknown.
+Request read_command_line(std::span<const char* const> words);
+
+/// The accuracy that "2%", "2 %" or "0.02" means, a share between 0 and 1. Throws CommandLineError.
+double parse_accuracy(const std::string& text);
+
+}  // namespace clerestory::tools

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "io/stopwatch.h"
+
+namespace clerestory::tools {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Three significant digits, without an exponent where people would not write one.
+std::string figure(double value) {
+  const double size = std::abs(value);
+  if (size == 0.0) return "0";
+  if (size >= 99.95) return fmt::format("{:.0f}", value);
+  if (size >= 9.995) return fmt::format("{:.1f}", value);
+  if (size >= 0.01) return fmt::format("{:.2f}", value);
+  return fmt::format("{:.2g}", value);
+}
+
+std::string percent(double share) { return figure(100.0 * share) + " %"; }
+
+std::size_t width_of(const std::string& text) {  // in characters, of UTF-8
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Columns two blanks apart, the first to the left, the others to the right.
+std::string table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string blanks(widths[c] - width_of(row[c]), ' ');
+      text += c == 0 ? row[c] + blanks : "  " + blanks + row[c];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string daylight_table(const std::vector<lighting::GridResult>& grids) {
+  std::vector<Row> rows = {
+      {"grid", "sensors", "mean", "median", "minimum", "uniformity", "above 2 %", "above 5 %", "mean lux", "accuracy"}};
+  for (const auto& grid : grids) {
+    const lighting::GridMetrics& m = grid.metrics;
+    rows.push_back({grid.name, std::to_string(grid.sensors.count()), figure(m.mean_df_percent) + " %",
+                    figure(m.median_df_percent) + " %", figure(m.minimum_df_percent) + " %",
+                    fmt::format("{:.2f}", m.uniformity), percent(m.share_above_2_percent),
+                    percent(m.share_above_5_percent), figure(m.mean_lux), percent(m.accuracy_reached)});
+  }
+  return table(rows);
+}
+
+std::string illuminance_table(const std::vector<lighting::GridResult>& grids) {
+  std::vector<Row> rows = {{"grid", "sensors", "mean", "median", "minimum", "maximum", "uniformity", "accuracy"}};
+  for (const auto& grid : grids) {
+    const lighting::GridMetrics& m = grid.metrics;
+    rows.push_back({grid.name, std::to_string(grid.sensors.count()), figure(m.mean_lux) + " lx",
+                    figure(m.median_lux) + " lx", figure(m.minimum_lux) + " lx", figure(m.maximum_lux) + " lx",
+                    fmt::format("{:.2f}", m.uniformity), percent(m.accuracy_reached)});
+  }
+  return table(rows);
+}
+
+std::string heading(const io::ResultContext& context) {
+  const bool daylight = context.kind == lighting::Study::Kind::kDaylight;
+  return fmt::format("{}: {}, {}\n\n", context.study_name, daylight ? "daylight factor" : "illuminance", context.sky);
+}
+
+std::string left_out(const std::vector<lighting::GridResult>& grids) {
+  std::string text;
+  for (const auto& grid : grids)
+    if (grid.sensors.left_out > 0)
+      text += fmt::format("{}: {} sensors inside solids are left out\n", grid.name, grid.sensors.left_out);
+  return text;
+}
+
+std::string figures_of_the_run(const lighting::Results& results) {
+  const lighting::EnergyBalance& e = results.energy;
+  std::string text = fmt::format("accuracy  {} of {} asked: {}\n", percent(results.accuracy_reached),
+                                 percent(results.accuracy_target), results.accuracy_met ? "reached" : "NOT REACHED");
+  text += fmt::format("energy    {} lm emitted and {} lm received = {} lm absorbed and {} lm left, but for {}\n",
+                      figure(e.emitted_lm), figure(e.received_lm), figure(e.absorbed_lm), figure(e.left_lm),
+                      percent(std::abs(e.residual)));
+  text += fmt::format("time      {:.1f} s CPU\n", io::process_cpu_seconds());
+  return text;
+}
+
+std::string places(const lighting::Results& results, const std::filesystem::path& out) {
+  std::string text;
+  for (const auto& grid : results.grids)
+    if (!grid.sensors.cells.empty()) text += fmt::format("map       {}\n", (out / (grid.name + ".png")).string());
+  return text + fmt::format("results   {}\n", (out / "").string());
+}
+
+/// Each sentence once, as "label: sentence".
+std::string sentences(std::string_view label, const std::vector<std::string>& list) {
+  std::string text;
+  std::set<std::string_view> said;
+  for (const std::string& sentence : list)
+    if (said.insert(sentence).second) text += fmt::format("{}: {}\n", label, sentence);
+  return text;
+}
+
+}  // namespace
+
+std::string report(const lighting::Results& results, const io::ResultContext& context,
+                   const std::filesystem::path& out) {
+  const bool daylight = context.kind == lighting::Study::Kind::kDaylight;
+  return heading(context) + (daylight ? daylight_table(results.grids) : illuminance_table(results.grids)) + "\n" +
+         left_out(results.grids) + figures_of_the_run(results) + places(results, out) +
+         sentences("assumed", results.assumptions) + sentences("note", results.notices);
+}
+
+}  // namespace clerestory::tools
