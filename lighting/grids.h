@@ -13,14 +13,17 @@ namespace clerestory::lighting {
 
 /// Where the sensors of a request stand, in the model's local coordinates (results add Faces::origin).
 /// Near-horizontal surfaces: the plane `height_m` above, looking up, whatever the winding; others: `height_m` in front, looking into
-/// the room. The cells tile the request's surfaces less the margin with the spacing asked; sensors inside solids are left out
-/// and counted.
+/// the room. Of a part or material that has both, the level ones are meant, unless the others have more than twice their area.
+/// The cells tile the rectangle about each surface, along its main direction, less the margin: their number along a side is the
+/// length by the spacing, rounded, and their size follows. A sensor belongs when its place on the surface lies inside of the outline
+/// and the margin away from it; furniture, columns and partitions standing free are not part of the outline. Sensors inside solids
+/// are left out and counted. Given points are used as they are; they have cells when they form a lattice.
 /// @param reachable  [2 a face] whether light, or the outside, can reach that face side (mesh::reachable_sides)
 /// Throws InputError when no surface fits the request (naming what there is), or no sensor is left.
 Sensors place_sensors(const GridRequest& request, const mesh::Faces& faces, const mesh::Rays& rays,
                       const std::vector<std::uint8_t>& reachable);
 
-/// Figures of a grid from its values, errors and daylight factors (if any).
+/// Figures of a grid from its values, errors and daylight factors (if any). A grid of zeros without errors has met any accuracy.
 GridMetrics grid_metrics(const GridResult& grid, double accuracy_target);
 
 }  // namespace clerestory::lighting

@@ -21,6 +21,8 @@ struct Sensors {
   /// Outlines of the rooms (or surfaces) that the grid covers, closed loops in the sensor plane; empty where unknown.
   std::vector<std::vector<mesh::Point>> outlines;
   std::size_t left_out = 0;  ///< sensors inside solids
+  /// The number of each sensor, from 0: for given points the place in their file, where those left out keep theirs.
+  std::vector<std::uint32_t> ids;
 
   [[nodiscard]] std::size_t count() const { return positions.size(); }
 };
