@@ -60,6 +60,14 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::optional<double> parse_share(std::string_view text) {
+  text = trim(text);
+  if (!text.ends_with('%')) return parse_number(text);
+  text.remove_suffix(1);
+  const auto per_cent = parse_number(trim(text));
+  return per_cent ? std::optional(*per_cent / 100.0) : std::nullopt;
+}
+
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text.substr(0, kLongestQuote)) result += is_control(c) ? '?' : c;
@@ -112,7 +120,7 @@ bool matches_glob(const std::string& pattern, const std::string& name) {
 
 std::string list_names(std::span<const std::string> names, std::size_t limit) {
   std::string text;
-  const std::size_t shown = std::min(names.size(), limit);
+  const std::size_t shown = names.size() <= limit + 1 ? names.size() : limit;  // "and 1 more" says less than the name
   for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + names[i];
   if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
   return text;

@@ -23,6 +23,9 @@ std::string lower(std::string_view text);
 /// text, for infinities, NaN and what lies beyond the range of double.
 std::optional<double> parse_number(std::string_view text);
 
+/// A share as text, "2%" or "0.02"; nothing for any other text.
+std::optional<double> parse_share(std::string_view text);
+
 /// The text between quotation marks, fit for a message of one line: control characters replaced, long text cut.
 std::string in_quotes(std::string_view text);
 
@@ -41,6 +44,6 @@ bool is_glob(std::string_view text);
 bool matches_glob(const std::string& pattern, const std::string& name);
 
 /// "a, b, c and 4 more".
-std::string list_names(std::span<const std::string> names, std::size_t limit = 8);
+std::string list_names(std::span<const std::string> names, std::size_t limit = 12);
 
 }  // namespace clerestory::io

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/material_rules.h"
+#include "io/study_tables.h"
+#include "io/words.h"
+
+namespace clerestory::io {
+
+namespace {
+
+constexpr double kMostReflectance = 0.99;  // as the schema bounds each part of it
+constexpr double kClearestGlass = 0.918;   // transmittance of a pane of n = 1.52 without any absorption
+
+lighting::Spectrum spectrum_of(const StudyValue& value) {
+  if (value.is_number()) return {static_cast<float>(value.number)};
+  lighting::Spectrum bands;
+  for (const StudyValue& band : value.children) bands.push_back(static_cast<float>(band.number));
+  const bool grey = std::all_of(bands.begin(), bands.end(), [&](float band) { return band == bands.front(); });
+  if (grey) bands.resize(1);
+  return bands;
+}
+
+std::optional<lighting::Emission> emission_of(const StudyValue& entry) {
+  const StudyValue* table = find_table(entry, "emission");
+  if (table == nullptr) return std::nullopt;
+  const StudyValue* flux = table->find("flux_lm");
+  const StudyValue* luminance = table->find("luminance_cd_m2");
+  if ((flux == nullptr) == (luminance == nullptr))
+    throw table->error(flux == nullptr ? "emission says nothing" : "emission gives both a flux and a luminance",
+                       "give flux_lm or luminance_cd_m2");
+  lighting::Emission emission;
+  if (flux != nullptr) emission.flux_lm = flux->number;
+  if (luminance != nullptr) emission.luminance_cd_m2 = luminance->number;
+  return emission;
+}
+
+std::string emission_words(const std::optional<lighting::Emission>& emission) {
+  if (!emission) return {};
+  return emission->flux_lm ? fmt::format(", shines with {:g} lm", *emission->flux_lm)
+                           : fmt::format(", shines with {:g} cd/m²", *emission->luminance_cd_m2);
+}
+
+/// An entry of [materials], and whether anything of the model is named by it.
+struct Entry {
+  const StudyValue* value = nullptr;
+  bool matched = false;
+};
+
+class MaterialReader {
+ public:
+  MaterialReader(const ObjFile& model, lighting::Study& study) : model_(model), study_(study) {}
+
+  void read(const StudyValue* table);
+
+ private:
+  lighting::Material material(const MtlMaterial& mtl);
+  const StudyValue* entry_of(const std::string& name);
+  void apply(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material);
+  void apply_glazing(const StudyValue& entry, lighting::Material& material);
+  void apply_sides(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material);
+  void join_specular(const StudyValue& entry, lighting::Material& material);
+  void darken(lighting::Material& material);
+  void refuse_unmatched() const;
+
+  const ObjFile& model_;
+  lighting::Study& study_;
+  std::vector<Entry> entries_;
+  MaterialAssumptions assumed_;
+  std::vector<std::string> specular_;
+  std::vector<std::string> darkened_;
+  std::vector<std::string> too_clear_;
+};
+
+void MaterialReader::read(const StudyValue* table) {
+  if (table != nullptr)
+    for (const StudyValue& entry : table->children) entries_.push_back({&entry});
+  for (const MtlMaterial& mtl : model_.materials) {
+    study_.materials.push_back(material(mtl));
+    study_.clean.sheet_materials.push_back(study_.materials.back().glazing.has_value());
+  }
+  refuse_unmatched();
+  for (std::string& sentence : assumed_.sentences()) study_.assumptions.push_back(std::move(sentence));
+  if (!specular_.empty())
+    study_.assumptions.push_back("The specular reflectance joins the diffuse one: " + list_names(specular_) + ".");
+  if (!too_clear_.empty())
+    study_.assumptions.push_back(
+        fmt::format("A pane of glass transmits at most {}; the whole curve over the angle was scaled to more: {}.",
+                    kClearestGlass, list_names(too_clear_)));
+  if (!darkened_.empty())
+    study_.assumptions.push_back("The daylight factor counts daylight alone; dark were left the lamps of " +
+                                 list_names(darkened_) + ".");
+}
+
+lighting::Material MaterialReader::material(const MtlMaterial& mtl) {
+  lighting::Material material;
+  material.name = mtl.name;
+  if (const StudyValue* entry = entry_of(mtl.name)) {
+    apply(*entry, mtl, material);
+  } else {
+    assumed_.decide(mtl, material);
+  }
+  return material;
+}
+
+/// The entry with the exact name, else the first pattern that fits; all that fit count as matched.
+const StudyValue* MaterialReader::entry_of(const std::string& name) {
+  const StudyValue* exact = nullptr;
+  const StudyValue* pattern = nullptr;
+  for (Entry& entry : entries_) {
+    const std::string& key = entry.value->key;
+    const bool same = key == name;
+    if (!same && !(is_glob(key) && matches_glob(key, name))) continue;
+    entry.matched = true;
+    if (same) exact = entry.value;
+    if (!same && pattern == nullptr) pattern = entry.value;
+  }
+  return exact != nullptr ? exact : pattern;
+}
+
+void MaterialReader::apply(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material) {
+  material.why = is_glob(entry.key) && entry.key != material.name
+                     ? fmt::format("the study's [materials.\"{}\"]", entry.key)
+                     : "the study";
+  const bool opening = flag_or(entry, "opening", false);
+  const bool glazing = entry.find("glazing") != nullptr;
+  for (const StudyValue& member : entry.children) {
+    const bool own = member.key == "opening" || (glazing && !opening && member.key == "glazing");
+    if ((opening || glazing) && !own)
+      throw member.error(fmt::format("material {} cannot have {} beside {}", in_quotes(entry.key), member.key,
+                                     opening ? "opening" : "glazing"),
+                         "remove one of the two");
+  }
+  if (opening) {
+    material.opening = true;
+    material.became = "opening";
+  } else if (glazing) {
+    apply_glazing(entry, material);
+  } else {
+    apply_sides(entry, mtl, material);
+  }
+}
+
+void MaterialReader::apply_glazing(const StudyValue& entry, lighting::Material& material) {
+  const StudyValue& table = *entry.find("glazing");
+  material.glazing = lighting::Glazing{.transmittance_normal = number_or(table, "transmittance", 0.70),
+                                       .panes = static_cast<int>(number_or(table, "panes", 1.0))};
+  material.became = fmt::format("glazing {:.2f}", material.glazing->transmittance_normal);
+  if (material.glazing->transmittance_normal > kClearestGlass) too_clear_.push_back(material.name);
+}
+
+void MaterialReader::apply_sides(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material) {
+  const StudyValue* reflectance = entry.find("reflectance");
+  material.front.reflectance =
+      reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.diffuse_reflectance(mtl);
+  if (entry.find("specular") != nullptr) join_specular(entry, material);
+  material.back.reflectance = material.front.reflectance;
+  material.front.emission = emission_of(entry);
+  const StudyValue* back = find_table(entry, "back");
+  if (back != nullptr) {
+    if (const StudyValue* other = back->find("reflectance")) material.back.reflectance = spectrum_of(*other);
+    material.back.emission = emission_of(*back);
+  }
+  if (study_.kind == lighting::Study::Kind::kDaylight) darken(material);
+  const auto words = [](const lighting::SideMaterial& side) {
+    return (side.reflectance ? "reflectance " + reflectance_words(*side.reflectance) : "reflectance by orientation") +
+           emission_words(side.emission);
+  };
+  material.became = words(material.front);
+  if (back != nullptr && words(material.back) != material.became) material.became += "; back: " + words(material.back);
+}
+
+void MaterialReader::join_specular(const StudyValue& entry, lighting::Material& material) {
+  const StudyValue& table = *entry.find("specular");
+  if (entry.find("reflectance") == nullptr)
+    throw table.error(fmt::format("material {} has a specular part and no diffuse one", in_quotes(entry.key)),
+                      "give reflectance beside it");
+  for (float& band : *material.front.reflectance) {
+    band += static_cast<float>(number_or(table, "reflectance", 0.0));
+    if (static_cast<double>(band) > kMostReflectance + 1e-6)
+      throw table.error(
+          fmt::format("material {} reflects {:.2f} in all", in_quotes(entry.key), band),
+          fmt::format("give reflectance and specular.reflectance with a sum of at most {}", kMostReflectance));
+  }
+  specular_.push_back(material.name);
+}
+
+void MaterialReader::darken(lighting::Material& material) {
+  if (!material.front.emission && !material.back.emission) return;
+  material.front.emission.reset();
+  material.back.emission.reset();
+  darkened_.push_back(material.name);
+}
+
+void MaterialReader::refuse_unmatched() const {
+  std::vector<std::string> names = study_.model.material_names;
+  for (const Entry& entry : entries_) {
+    const std::string& key = entry.value->key;
+    // An MTL shared by several models defines more than each of them uses.
+    const bool defined =
+        std::any_of(model_.unused_materials.begin(), model_.unused_materials.end(),
+                    [&](const std::string& name) { return name == key || (is_glob(key) && matches_glob(key, name)); });
+    if (entry.matched || defined) continue;
+    const auto meant = nearest(key, names);
+    throw entry.value->error(fmt::format("no material of the model is named {}", in_quotes(key)),
+                             meant ? fmt::format("did you mean \"{}\"?", *meant) : "it has " + list_names(names));
+  }
+}
+
+}  // namespace
+
+void read_materials_table(const StudyValue& root, const ObjFile& model, lighting::Study& study) {
+  MaterialReader(model, study).read(find_table(root, "materials"));
+}
+
+}  // namespace clerestory::io

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <array>
+
+#include "io/study_tables.h"
+#include "io/words.h"
+
+namespace clerestory::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 9> kLaterFormats{".stl", ".ply", ".off", ".gltf", ".glb",
+                                                        ".dae", ".dxf", ".ifc", ".rad"};
+
+mesh::CleanOptions::Repair repair_of(const std::string& word) {
+  if (word == "report") return mesh::CleanOptions::Repair::kReport;
+  return word == "off" ? mesh::CleanOptions::Repair::kOff : mesh::CleanOptions::Repair::kAuto;
+}
+
+void check_format(const StudyValue& file) {
+  const std::string extension = lower(fs::path(file.text).extension().string());
+  if (extension == ".obj") return;
+  const bool later = std::find(kLaterFormats.begin(), kLaterFormats.end(), extension) != kLaterFormats.end();
+  throw file.error(later ? fmt::format("models in {} are not supported by this version", extension.substr(1))
+                         : fmt::format("{} is no model", in_quotes(file.text)),
+                   "export the model as OBJ");
+}
+
+fs::path model_path(const StudyValue& root, const StudyValue& table, const fs::path& folder) {
+  const StudyValue* file = table.find("file");
+  if (file == nullptr)
+    throw InputError(root.file, table.line, "the study names no model", "write [model] and file = \"room.obj\"");
+  check_format(*file);
+  const fs::path path = folder / file->text;
+  std::error_code error;
+  if (fs::exists(path, error)) return path;
+  throw file->error(fmt::format("there is no model {}", in_quotes(path.string())),
+                    "paths are relative to the study file");
+}
+
+}  // namespace
+
+ObjFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
+  const StudyValue& table = *root.find("model");
+  const fs::path path = model_path(root, table, place.folder);
+  ModelFormat format;
+  format.unit = length_unit(text_or(table, "units", ""));
+  format.up = text_or(table, "up", "z") == "y" ? UpAxis::kY : UpAxis::kZ;
+  ObjFile model = read_obj(path, format);
+  study.model = std::move(model.model);
+  study.north_deg = number_or(table, "north", 0.0);
+  study.clean.repair = repair_of(text_or(table, "repair", "auto"));
+  study.assumptions.insert(study.assumptions.end(), model.notices.begin(), model.notices.end());
+  place.files.insert(place.files.end(), model.files.begin(), model.files.end());
+  return model;
+}
+
+}  // namespace clerestory::io

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/obj.h"
+#include "io/study_tree.h"
+#include "lighting/study.h"
+
+// The readers of the tables of a study: checked, with all defaults filled in. What they assume goes to study.assumptions.
+namespace clerestory::io {
+
+/// Where a study stands, and what was read for it.
+struct StudyPlace {
+  std::filesystem::path folder;              ///< that paths are relative to
+  std::vector<std::filesystem::path> files;  ///< that were read
+};
+
+/// [model] and [site]: reads the model file into study.model.
+/// Throws InputError for a model that is not there, of an unsupported format, or at fault.
+ObjFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
+/// [materials]: one material a model material. The study counts first, then names like glass, then the MTL, then orientation.
+/// Throws InputError for entries that contradict themselves, and names that match no material.
+void read_materials_table(const StudyValue& root, const ObjFile& model, lighting::Study& study);
+
+/// [sky]. For the daylight factor it becomes the CIE overcast sky, in the tree too.
+void read_sky_table(StudyValue& root, lighting::Study& study);
+
+/// [[grids]]. Throws InputError for names that are no file names or not unique, surfaces that the model does not have,
+/// and sensor files at fault.
+void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
+/// [accuracy]. A share in per cent becomes a number, in the tree too.
+void read_accuracy_table(StudyValue& root, lighting::Study& study);
+
+}  // namespace clerestory::io

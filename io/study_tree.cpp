@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/study_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/words.h"
+
+namespace clerestory::io {
+
+const StudyValue* StudyValue::find(std::string_view name) const {
+  if (kind != Kind::kTable) return nullptr;
+  const auto at =
+      std::find_if(children.begin(), children.end(), [name](const StudyValue& child) { return child.key == name; });
+  return at == children.end() ? nullptr : &*at;
+}
+
+StudyValue* StudyValue::find(std::string_view name) { return const_cast<StudyValue*>(std::as_const(*this).find(name)); }
+
+const StudyValue* find_table(const StudyValue& table, std::string_view name) {
+  const StudyValue* value = table.find(name);
+  return value != nullptr && value->kind == StudyValue::Kind::kTable ? value : nullptr;
+}
+
+double number_or(const StudyValue& table, std::string_view name, double fallback) {
+  const StudyValue* value = table.find(name);
+  return value != nullptr && value->is_number() ? value->number : fallback;
+}
+
+std::string text_or(const StudyValue& table, std::string_view name, std::string_view fallback) {
+  const StudyValue* value = table.find(name);
+  return value != nullptr && value->kind == StudyValue::Kind::kText ? value->text : std::string(fallback);
+}
+
+bool flag_or(const StudyValue& table, std::string_view name, bool fallback) {
+  const StudyValue* value = table.find(name);
+  return value != nullptr && value->kind == StudyValue::Kind::kBoolean ? value->boolean : fallback;
+}
+
+std::string describe(const StudyValue& value) {
+  switch (value.kind) {
+    case StudyValue::Kind::kTable:
+      return "a table";
+    case StudyValue::Kind::kArray:
+      return fmt::format("a list of {}", value.children.size());
+    case StudyValue::Kind::kText:
+      return in_quotes(value.text);
+    case StudyValue::Kind::kInteger:
+    case StudyValue::Kind::kNumber:
+      return fmt::format("{}", value.number);
+    case StudyValue::Kind::kBoolean:
+      return value.boolean ? "true" : "false";
+    case StudyValue::Kind::kDate:
+      return value.text;
+  }
+  return {};
+}
+
+}  // namespace clerestory::io
