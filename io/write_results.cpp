@@ -48,7 +48,6 @@ void write_grid(Output& output, const lighting::Results& results, const lighting
   write_grid_csv(output.add(grid.name + ".csv"), grid);
   write_grid_vtp(output.add(grid.name + ".vtp"), results, grid, context);
   output.collection.push_back({grid.name, grid.name + ".vtp"});
-  if (grid.sensors.cells.empty()) return;  // a list of points without order makes no map
   write_map_png(output.add(grid.name + ".png"), grid, results, context);
 }
 

@@ -98,8 +98,7 @@ std::string figures_of_the_run(const lighting::Results& results) {
 
 std::string places(const lighting::Results& results, const std::filesystem::path& out) {
   std::string text;
-  for (const auto& grid : results.grids)
-    if (!grid.sensors.cells.empty()) text += fmt::format("map       {}\n", (out / (grid.name + ".png")).string());
+  for (const auto& grid : results.grids) text += fmt::format("map       {}\n", (out / (grid.name + ".png")).string());
   return text + fmt::format("results   {}\n", (out / "").string());
 }
 
