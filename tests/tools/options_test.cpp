@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace clerestory::tools {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Request read(std::vector<const char*> words) {
+  words.insert(words.begin(), "clerestory");
+  return read_command_line(words);
+}
+
+std::string complaint(std::vector<const char*> words) {
+  try {
+    read(std::move(words));
+  } catch (const CommandLineError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Options, ResultsGoBesideTheStudyByDefault) {
+  const Options options = read({"daylight", "projects/office.toml"}).options;
+  EXPECT_EQ(options.study, "projects/office.toml");
+  EXPECT_EQ(options.out, "projects/office-results");
+  EXPECT_EQ(options.threads, 0);
+  EXPECT_FALSE(options.quiet || options.json);
+}
+
+TEST(Options, AreReadForBothCommands) {
+  EXPECT_EQ(read({"daylight", "a.obj"}).what, Request::What::kDaylight);
+  const Request request = read({"illuminance", "--threads", "2", "-o", "out", "--quiet", "a.obj", "--json"});
+  EXPECT_EQ(request.what, Request::What::kIlluminance);
+  EXPECT_EQ(request.options.threads, 2);
+  EXPECT_EQ(request.options.out, "out");
+  EXPECT_TRUE(request.options.quiet && request.options.json);
+}
+
+TEST(Options, OverridesKeepTheirOrderAndTheAccuracyIsTheLast) {
+  const auto set = read({"daylight", "--accuracy", "5%", "--set", "a=1", "a.toml", "--set=b.c=[1, 2]"}).options.set;
+  EXPECT_THAT(set, ElementsAre("a=1", "b.c=[1, 2]", "accuracy.target=0.05"));
+}
+
+TEST(Options, TheCommandCanBeTypedAgain) {
+  EXPECT_EQ(read({"daylight", "my office.toml", "--set", "a='x'"}).options.command,
+            R"(clerestory daylight 'my office.toml' --set 'a='\''x'\''')");
+}
+
+TEST(Options, AnAccuracyIsAShareOrAPercentage) {
+  EXPECT_DOUBLE_EQ(parse_accuracy("2%"), 0.02);
+  EXPECT_DOUBLE_EQ(parse_accuracy("0.5 %"), 0.005);
+  EXPECT_DOUBLE_EQ(parse_accuracy("0.02"), 0.02);
+  for (const char* bad : {"2", "0", "-1%", "100%", "nan", "%", "", "two", "0.02x"})
+    EXPECT_THROW(parse_accuracy(bad), CommandLineError) << bad;
+}
+
+TEST(Options, AnUnknownWordNamesTheNearestKnownOne) {
+  EXPECT_EQ(complaint({"daylihgt", "a.toml"}), "unknown command 'daylihgt'; did you mean daylight?");
+  EXPECT_EQ(complaint({"daylight", "a.toml", "--acuracy", "5%"}),
+            "unknown option '--acuracy'; did you mean --accuracy?");
+  EXPECT_EQ(complaint({"daylight", "--ouput=x"}), "unknown option '--ouput'; did you mean --out?");
+  EXPECT_EQ(complaint({"--verson"}), "unknown option '--verson'; did you mean --version?");
+}
+
+TEST(Options, ACommandLineAtFaultSaysWhatToDo) {
+  EXPECT_THAT(complaint({}), HasSubstr("--help"));
+  EXPECT_THAT(complaint({"daylight"}), HasSubstr("clerestory daylight office.toml"));
+  EXPECT_THAT(complaint({"xyzzy"}), HasSubstr("daylight, illuminance"));
+  EXPECT_THAT(complaint({"daylight", "a", "b"}), HasSubstr("'b'"));
+  EXPECT_THAT(complaint({"daylight", "a", "--set", "b"}), HasSubstr("--set key=value"));
+  EXPECT_THAT(complaint({"daylight", "a", "--threads", "0"}), HasSubstr("1 to 1024"));
+  EXPECT_THAT(complaint({"daylight", "a", "--out"}), HasSubstr("--out"));
+  for (const auto& words : std::vector<std::vector<const char*>>{{}, {"daylight", "a", "-o", "b", "-o", "c"}})
+    EXPECT_THAT(complaint(words), testing::Not(HasSubstr("\n")));
+}
+
+TEST(Options, HelpHasExamplesAndExitStatuses) {
+  EXPECT_THAT(read({"--help"}).text, testing::AllOf(HasSubstr("Examples:"), HasSubstr("130 interrupted")));
+  EXPECT_THAT(read({"daylight", "--help"}).text, HasSubstr("--set materials.wall.reflectance=0.7"));
+  EXPECT_THAT(read({"illuminance", "-h"}).text, HasSubstr("clerestory illuminance office.toml"));
+  EXPECT_EQ(read({"--version"}).text, read({"daylight", "--version"}).text);
+}
+
+}  // namespace
+}  // namespace clerestory::tools
