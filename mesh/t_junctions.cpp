@@ -13,9 +13,9 @@ namespace {
 /// second round finds none.
 constexpr int kMaxRounds = 8;
 
-std::vector<Box> boxes_of(std::span<const Point> points) {
+std::vector<Box> boxes_of(std::span<const Point> points, std::size_t first) {
   std::vector<Box> boxes(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) boxes[i].add(points[i]);
+  for (std::size_t i = first; i < points.size(); ++i) boxes[i].add(points[i]);
   return boxes;
 }
 
@@ -41,6 +41,12 @@ struct Found {
   bool operator<(const Found& other) const { return t != other.t ? t < other.t : vertex < other.vertex; }
 };
 
+std::vector<std::uint32_t> split_loop(std::span<const std::uint32_t> loop, const EdgeSplits& splits) {
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < loop.size(); ++i) append_chain(loop[i], loop[(i + 1) % loop.size()], splits, result);
+  return result;
+}
+
 /// The edges of the polygons that have not been looked at before, in order of first use, each with a polygon that has it.
 std::vector<std::pair<Edge, const SoupPolygon*>> new_edges(const Soup& soup,
                                                            std::unordered_set<Edge, EdgeHash>& known) {
@@ -56,8 +62,8 @@ std::vector<std::pair<Edge, const SoupPolygon*>> new_edges(const Soup& soup,
 
 }  // namespace
 
-SegmentSearch::SegmentSearch(std::span<const Point> points, double tolerance)
-    : points_(points), tolerance_(tolerance), tree_(boxes_of(points)) {}
+SegmentSearch::SegmentSearch(std::span<const Point> points, double tolerance, std::size_t first)
+    : points_(points), tolerance_(tolerance), tree_(boxes_of(points, first)) {}
 
 std::vector<std::uint32_t> SegmentSearch::on(const Edge& edge) const {
   const Point& a = points_[edge[0]];
@@ -78,19 +84,14 @@ std::vector<std::uint32_t> SegmentSearch::on(const Edge& edge) const {
   return vertices;
 }
 
-std::vector<std::uint32_t> split_loop(std::span<const std::uint32_t> loop, const EdgeSplits& splits) {
-  std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const std::uint32_t a = loop[i];
-    const std::uint32_t b = loop[(i + 1) % loop.size()];
-    result.push_back(a);
-    const auto split = splits.find(edge_between(a, b));
-    if (split == splits.end()) continue;
-    const std::vector<std::uint32_t>& inner = split->second;
-    if (a < b) result.insert(result.end(), inner.begin(), inner.end());
-    if (a > b) result.insert(result.end(), inner.rbegin(), inner.rend());
-  }
-  return result;
+void append_chain(std::uint32_t from, std::uint32_t to, const EdgeSplits& splits,
+                  std::vector<std::uint32_t>& vertices) {
+  vertices.push_back(from);
+  const auto split = splits.find(edge_between(from, to));
+  if (split == splits.end()) return;
+  const std::vector<std::uint32_t>& inner = split->second;
+  if (from < to) vertices.insert(vertices.end(), inner.begin(), inner.end());
+  if (from > to) vertices.insert(vertices.end(), inner.rbegin(), inner.rend());
 }
 
 bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects) {

@@ -31,7 +31,8 @@ using EdgeSplits = std::unordered_map<Edge, std::vector<std::uint32_t>, EdgeHash
 /// Finds the vertices within a distance of segments.
 class SegmentSearch {
  public:
-  SegmentSearch(std::span<const Point> points, double tolerance);
+  /// @param first  points before this one are not looked for
+  SegmentSearch(std::span<const Point> points, double tolerance, std::size_t first = 0);
 
   /// The vertices within the tolerance of the inner part of the segment between two vertices, in order along it, without
   /// those two. O(log n) where few are near.
@@ -48,7 +49,7 @@ class SegmentSearch {
 /// @return whether anything changed
 bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects);
 
-/// The loop with the vertices of the splits set into its edges.
-std::vector<std::uint32_t> split_loop(std::span<const std::uint32_t> loop, const EdgeSplits& splits);
+/// Appends the first vertex of a directed edge and those that split it, without its last.
+void append_chain(std::uint32_t from, std::uint32_t to, const EdgeSplits& splits, std::vector<std::uint32_t>& vertices);
 
 }  // namespace clerestory::mesh

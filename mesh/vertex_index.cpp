@@ -47,7 +47,11 @@ std::optional<std::uint32_t> VertexIndex::find(const Point& p) const {
 }
 
 std::uint32_t VertexIndex::add(const Point& p) {
-  if (const std::optional<std::uint32_t> found = find(p)) return *found;
+  const std::optional<std::uint32_t> found = find(p);
+  return found ? *found : append(p);
+}
+
+std::uint32_t VertexIndex::append(const Point& p) {
   const auto index = static_cast<std::uint32_t>(points_.size());
   points_.push_back(p);
   const auto [place, fresh] = head_.try_emplace(cell_of(p), index);

@@ -22,6 +22,8 @@ class VertexIndex {
 
   /// The nearest point within the tolerance (the first of equally near ones), or a new one.
   std::uint32_t add(const Point& p);
+  /// A new point, however near to others.
+  std::uint32_t append(const Point& p);
   [[nodiscard]] std::optional<std::uint32_t> find(const Point& p) const;
   [[nodiscard]] std::span<const Point> points() const { return points_; }
   [[nodiscard]] const Point& operator[](std::uint32_t index) const { return points_[index]; }

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/faces.h"
+
+#include <limits>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "mesh/coplanar.h"
+#include "mesh/face_drafts.h"
+#include "mesh/face_loops.h"
+#include "mesh/soup.h"
+#include "mesh/triangulate.h"
+
+namespace clerestory::mesh {
+
+namespace {
+
+/// Slivers narrower than this share of the plane tolerance come from rounding: points and lines of a face lie farther apart.
+constexpr double kSliverOverTolerance = 0.1;
+
+/// The soup with its vertices put into the index. Nothing moves where the surface was cleaned with a weld tolerance of at least the
+/// plane tolerance; where it was not, this is what makes faces share vertices at all.
+void share_vertices_of(Soup& soup, VertexIndex& vertices) {
+  std::vector<std::uint32_t> index(soup.points.size());
+  for (std::size_t i = 0; i < index.size(); ++i) index[i] = vertices.add(soup.points[i]);
+  for (SoupPolygon& polygon : soup.polygons) {
+    for (std::vector<std::uint32_t>& loop : polygon.loops) {
+      for (std::uint32_t& corner : loop) corner = index[corner];
+    }
+  }
+  soup.points.assign(vertices.points().begin(), vertices.points().end());
+}
+
+/// The plane of a group: its normal from all polygons together, through the mean of their corners along it.
+PlaneCoordinates plane_of_group(const Soup& soup, const CoplanarGroup& group) {
+  Vector sum;
+  for (const std::uint32_t p : group.polygons) {
+    for (const std::vector<std::uint32_t>& loop : soup.polygons[p].loops) sum = sum + newell(soup.points, loop);
+  }
+  // A bow-tie's parts cancel; its largest corner knows better.
+  const bool cancels = dot(normalized(sum), group.plane.normal) < 0.5;
+  const Vector normal = cancels ? group.plane.normal : normalized(sum);
+  const Point& first = soup.points[soup.polygons[group.polygons[0]].loops[0][0]];
+  double offset = 0.0;
+  double corners = 0.0;
+  for (const std::uint32_t p : group.polygons) {
+    for_each_edge(soup.polygons[p], [&](std::uint32_t corner, std::uint32_t) {
+      offset += dot(soup.points[corner] - first, normal);
+      corners += 1.0;
+    });
+  }
+  return {first + (offset / corners) * normal, frame_around(normal)};
+}
+
+/// Edges of the group's polygons, without those that two of them walk in opposite directions.
+std::vector<DirectedEdge> boundary_of_group(const Soup& soup, const CoplanarGroup& group) {
+  std::unordered_map<Edge, int, EdgeHash> net;
+  const auto for_each = [&](const auto& visit) {
+    for (const std::uint32_t p : group.polygons) {
+      for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t b) {
+        if (a != b) visit(a, b);
+      });
+    }
+  };
+  for_each([&](std::uint32_t a, std::uint32_t b) { net[edge_between(a, b)] += a < b ? 1 : -1; });
+  std::vector<DirectedEdge> boundary;
+  for_each([&](std::uint32_t a, std::uint32_t b) {
+    int& left = net[edge_between(a, b)];
+    if (left == 0 || (left > 0) != (a < b)) return;
+    left += left > 0 ? -1 : 1;
+    boundary.push_back({a, b});
+  });
+  return boundary;
+}
+
+FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) {
+  FaceDrafts drafts(options.plane_tolerance_m);
+  Soup soup = to_soup(surface.polygons);
+  share_vertices_of(soup, drafts.vertices);
+  for (const CoplanarGroup& group :
+       group_coplanar(soup, {options.plane_tolerance_m, options.angle_tolerance_rad, true})) {
+    const SoupPolygon& first = soup.polygons[group.polygons[0]];
+    drafts.faces.push_back(
+        {plane_of_group(soup, group), first.material, first.part, boundary_of_group(soup, group), {}});
+  }
+  return drafts;
+}
+
+/// Appends the triangles of one face to the shape.
+/// @return the face's area [m²]
+double triangulate_face(FaceDrafts& drafts, const FaceDraft& face, std::vector<Triangle>& triangles) {
+  PlanarGraph graph;
+  std::vector<std::uint32_t> vertices;
+  std::unordered_map<std::uint32_t, std::uint32_t> index;
+  const auto local = [&](std::uint32_t vertex) {
+    const auto [place, fresh] = index.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
+    if (fresh) {
+      vertices.push_back(vertex);
+      graph.points.push_back(face.plane.project(drafts.vertices[vertex]));
+    }
+    return place->second;
+  };
+  std::vector<DirectedEdge> boundary;
+  for (const auto& [a, b] : face.boundary) {
+    const std::uint32_t from = local(a);
+    boundary.push_back({from, local(b)});
+  }
+  graph.segments.assign(boundary.begin(), boundary.end());
+  for (const auto& [a, b] : face.lines) {
+    const std::uint32_t from = local(a);
+    graph.segments.push_back({from, local(b)});
+  }
+  const PlanarMesh mesh = triangulate_inside(std::move(graph), boundary, kSliverOverTolerance * drafts.tolerance);
+  for (std::size_t i = vertices.size(); i < mesh.points.size(); ++i) {
+    vertices.push_back(drafts.vertices.append(face.plane.lift(mesh.points[i])));
+  }
+  double area = 0.0;
+  for (const PlanarTriangle& t : mesh.triangles) {
+    triangles.push_back(
+        {{vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]}, t.constrained, t.component});
+    area += 0.5 * doubled_area(mesh.points[t.vertices[0]], mesh.points[t.vertices[1]], mesh.points[t.vertices[2]]);
+  }
+  return area;
+}
+
+/// Keeps the vertices that triangles use.
+void compact(std::span<const Point> points, Triangulation& shape) {
+  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> index(points.size(), kUnused);
+  for (const Triangle& t : shape.triangles) {
+    for (const std::uint32_t v : t.vertices) index[v] = 0;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (index[i] == kUnused) continue;
+    index[i] = static_cast<std::uint32_t>(shape.vertices.size());
+    shape.vertices.push_back(points[i]);
+  }
+  for (Triangle& t : shape.triangles) {
+    for (std::uint32_t& v : t.vertices) v = index[v];
+  }
+}
+
+}  // namespace
+
+Faces build_faces(const CleanSurface& surface, const FaceOptions& options) {
+  FaceDrafts drafts = draft_faces(surface, options);
+  imprint_contacts(drafts);
+  Faces result;
+  result.origin = surface.origin;
+  result.material_names = surface.polygons.material_names;
+  result.part_names = surface.polygons.part_names;
+  for (const FaceDraft& draft : drafts.faces) {
+    const std::size_t before = result.shape.triangles.size();
+    const double area = triangulate_face(drafts, draft, result.shape.triangles);
+    if (result.shape.triangles.size() == before) continue;
+    result.shape.starts.push_back(static_cast<std::uint32_t>(result.shape.triangles.size()));
+    result.faces.push_back({draft.plane.origin, draft.plane.frame, area, draft.material, draft.part, {}});
+    result.contact_count += draft.lines.size();
+  }
+  compact(drafts.vertices.points(), result.shape);
+  for (std::size_t f = 0; f < result.count(); ++f) result.faces[f].loops = boundary_loops(result.shape.of(FaceId(f)));
+  return result;
+}
+
+}  // namespace clerestory::mesh

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "mesh/face_drafts.h"
+
+namespace clerestory::mesh {
+
+namespace {
+
+/// Rounds of splitting. Each may bend lines by the tolerance, so that new meetings appear; four or five do for real models.
+constexpr int kMaxRounds = 16;
+
+using EdgeSet = std::unordered_set<Edge, EdgeHash>;
+
+/// Splits by edge; vertices of one edge are gathered in any order.
+using Pending = std::unordered_map<Edge, std::vector<std::uint32_t>, EdgeHash>;
+
+template <class Visit>
+void for_each_segment(const FaceDraft& face, const Visit& visit) {
+  for (const auto& [a, b] : face.boundary) visit(edge_between(a, b));
+  for (const Edge& e : face.lines) visit(e);
+}
+
+/// Vertices on edges: on edges not seen before all of them, on the others those that have come since.
+void find_vertices_on_edges(const FaceDrafts& drafts, EdgeSet& seen, std::size_t& seen_vertices, Pending& pending) {
+  const std::span<const Point> points = drafts.vertices.points();
+  const SegmentSearch all(points, drafts.tolerance);
+  const SegmentSearch fresh(points, drafts.tolerance, seen_vertices);
+  EdgeSet now;
+  for (const FaceDraft& face : drafts.faces) {
+    for_each_segment(face, [&](const Edge& edge) {
+      if (!now.insert(edge).second) return;
+      const std::vector<std::uint32_t> on = (seen.contains(edge) ? fresh : all).on(edge);
+      if (!on.empty()) pending[edge] = on;
+    });
+  }
+  seen = std::move(now);
+  seen_vertices = points.size();
+}
+
+/// Crossings of the segments of one face, in its plane.
+class CrossingSearch {
+ public:
+  CrossingSearch(FaceDrafts& drafts, const FaceDraft& face, Pending& pending)
+      : drafts_(drafts), face_(face), pending_(pending) {
+    EdgeSet known;
+    for_each_segment(face, [&](const Edge& edge) {
+      if (!known.insert(edge).second) return;
+      segments_.push_back(edge);
+      places_.push_back(
+          {face_.plane.project(drafts_.vertices[edge[0]]), face_.plane.project(drafts_.vertices[edge[1]])});
+      Box box;
+      for (const Point2& p : places_.back()) box.add(Point{p.x, p.y, 0.0});
+      boxes_.push_back(box);
+    });
+  }
+
+  void run() {
+    const BoxTree tree(boxes_);
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+      tree.visit([&](const Box& box) { return overlap(boxes_[i], box); },
+                 [&](std::uint32_t j) {
+                   if (j > i) look_at(i, j);
+                 });
+    }
+  }
+
+ private:
+  void look_at(std::uint32_t i, std::uint32_t j) {
+    const Edge& e = segments_[i];
+    const Edge& f = segments_[j];
+    if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1]) return;
+    const auto& [a, b] = places_[i];
+    const auto& [c, d] = places_[j];
+    const double sa = doubled_area(c, d, a);
+    const double sb = doubled_area(c, d, b);
+    const double sc = doubled_area(a, b, c);
+    const double sd = doubled_area(a, b, d);
+    if (sa * sb >= 0.0 || sc * sd >= 0.0) return;
+    const Point& p = drafts_.vertices[e[0]];
+    const Point& q = drafts_.vertices[e[1]];
+    const std::uint32_t vertex = drafts_.vertices.add(p + (sa / (sa - sb)) * (q - p));
+    split(e, vertex);
+    split(f, vertex);
+  }
+
+  void split(const Edge& edge, std::uint32_t vertex) {
+    if (vertex != edge[0] && vertex != edge[1]) pending_[edge].push_back(vertex);
+  }
+
+  FaceDrafts& drafts_;
+  const FaceDraft& face_;
+  Pending& pending_;
+  std::vector<Edge> segments_;
+  std::vector<PlanarOutline::Segment> places_;
+  std::vector<Box> boxes_;
+};
+
+/// Vertices of each edge in order along it, each once.
+EdgeSplits in_order(const FaceDrafts& drafts, Pending&& pending) {
+  for (auto& [edge, vertices] : pending) {
+    const Point& a = drafts.vertices[edge[0]];
+    const Vector d = drafts.vertices[edge[1]] - a;
+    const auto key = [&](std::uint32_t v) { return std::pair(dot(drafts.vertices[v] - a, d), v); };
+    std::sort(vertices.begin(), vertices.end(), [&](std::uint32_t v, std::uint32_t w) { return key(v) < key(w); });
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  return std::move(pending);
+}
+
+/// @return whether the face changed
+bool apply(FaceDraft& face, const EdgeSplits& splits) {
+  std::vector<DirectedEdge> boundary;
+  std::vector<Edge> lines;
+  std::vector<std::uint32_t> chain;
+  const auto for_each_piece = [&](std::uint32_t from, std::uint32_t to, const auto& add) {
+    chain.clear();
+    append_chain(from, to, splits, chain);
+    chain.push_back(to);
+    for (std::size_t i = 1; i < chain.size(); ++i) add(chain[i - 1], chain[i]);
+  };
+  for (const auto& [from, to] : face.boundary) {
+    for_each_piece(from, to, [&](std::uint32_t a, std::uint32_t b) { boundary.push_back({a, b}); });
+  }
+  for (const auto& [from, to] : face.lines) {
+    for_each_piece(from, to, [&](std::uint32_t a, std::uint32_t b) { lines.push_back(edge_between(a, b)); });
+  }
+  const bool changed = boundary.size() != face.boundary.size() || lines.size() != face.lines.size();
+  face.boundary = std::move(boundary);
+  face.lines = std::move(lines);
+  return changed;
+}
+
+/// Splitting may have laid edges of the boundary on each other, both ways: those are nothing. Lines on the boundary are none.
+void simplify(FaceDraft& face) {
+  std::unordered_map<Edge, int, EdgeHash> net;
+  for (const auto& [a, b] : face.boundary) net[edge_between(a, b)] += a < b ? 1 : -1;
+  std::vector<DirectedEdge> boundary;
+  for (const auto& [a, b] : face.boundary) {
+    int& left = net[edge_between(a, b)];
+    if (left == 0 || (left > 0) != (a < b)) continue;
+    left += left > 0 ? -1 : 1;
+    boundary.push_back({a, b});
+  }
+  face.boundary = std::move(boundary);
+  EdgeSet own;
+  for (const auto& [a, b] : face.boundary) own.insert(edge_between(a, b));
+  std::erase_if(face.lines, [&](const Edge& edge) { return own.contains(edge); });
+  std::sort(face.lines.begin(), face.lines.end());
+  face.lines.erase(std::unique(face.lines.begin(), face.lines.end()), face.lines.end());
+}
+
+}  // namespace
+
+void split_at_meetings(FaceDrafts& drafts) {
+  EdgeSet seen;
+  std::size_t seen_vertices = 0;
+  std::vector<bool> changed(drafts.faces.size(), true);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    Pending pending;
+    find_vertices_on_edges(drafts, seen, seen_vertices, pending);
+    // Crossings are sought where all vertices are in their edges already: most of them then are none any more.
+    if (pending.empty()) {
+      for (std::size_t f = 0; f < drafts.faces.size(); ++f) {
+        if (changed[f]) CrossingSearch(drafts, drafts.faces[f], pending).run();
+        changed[f] = false;
+      }
+    }
+    if (pending.empty()) break;
+    const EdgeSplits splits = in_order(drafts, std::move(pending));
+    for (std::size_t f = 0; f < drafts.faces.size(); ++f) {
+      if (apply(drafts.faces[f], splits)) changed[f] = true;
+    }
+  }
+  for (FaceDraft& face : drafts.faces) simplify(face);
+}
+
+}  // namespace clerestory::mesh

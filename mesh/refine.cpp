@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/refine.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace clerestory::mesh {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Info of a vertex (its number) or face (its component), none until it is given.
+struct Number {
+  std::uint32_t value = kNone;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertices = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
+using FaceInfo = CGAL::Triangulation_face_base_with_info_2<Number, Kernel>;
+using ConstrainedFace = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
+using Cells = CGAL::Delaunay_mesh_face_base_2<Kernel, ConstrainedFace>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertices, Cells>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
+using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
+
+Cdt build(const PlanarMesh& mesh) {
+  Cdt cdt;
+  std::vector<Cdt::Vertex_handle> handles(mesh.points.size());
+  Cdt::Face_handle hint;
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    handles[i] = cdt.insert(Kernel::Point_2(mesh.points[i].x, mesh.points[i].y), hint);
+    handles[i]->info().value = i;
+    hint = handles[i]->face();
+  }
+  for (const PlanarTriangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((t.constrained >> k & 1U) != 0) {
+        cdt.insert_constraint(handles[t.vertices[k]], handles[t.vertices[(k + 1) % 3]]);
+      }
+    }
+  }
+  return cdt;
+}
+
+/// A point inside each component: the centre of its largest triangle.
+std::vector<Kernel::Point_2> seeds_of(const PlanarMesh& mesh) {
+  std::vector<double> largest(mesh.component_count, 0.0);
+  std::vector<Kernel::Point_2> seeds(mesh.component_count);
+  for (const PlanarTriangle& t : mesh.triangles) {
+    const Point2& a = mesh.points[t.vertices[0]];
+    const Point2& b = mesh.points[t.vertices[1]];
+    const Point2& c = mesh.points[t.vertices[2]];
+    const double area = doubled_area(a, b, c);
+    if (area <= largest[t.component]) continue;
+    largest[t.component] = area;
+    seeds[t.component] = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
+  }
+  return seeds;
+}
+
+void number_component(Cdt& cdt, const Kernel::Point_2& seed, std::uint32_t component) {
+  std::vector<Cdt::Face_handle> front{cdt.locate(seed)};
+  front.back()->info().value = component;
+  while (!front.empty()) {
+    const Cdt::Face_handle face = front.back();
+    front.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const Cdt::Face_handle next = face->neighbor(k);
+      if (face->is_constrained(k) || cdt.is_infinite(next) || next->info().value != kNone) continue;
+      next->info().value = component;
+      front.push_back(next);
+    }
+  }
+}
+
+PlanarMesh extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel::Point_2>& seeds) {
+  PlanarMesh mesh;
+  mesh.points = coarse.points;
+  mesh.component_count = coarse.component_count;
+  for (const Cdt::Vertex_handle vertex : cdt.finite_vertex_handles()) {
+    if (vertex->info().value != kNone) continue;
+    vertex->info().value = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back({vertex->point().x(), vertex->point().y()});
+  }
+  for (const Cdt::Face_handle face : cdt.all_face_handles()) face->info().value = kNone;
+  for (std::uint32_t c = 0; c < seeds.size(); ++c) number_component(cdt, seeds[c], c);
+  for (const Cdt::Face_handle face : cdt.finite_face_handles()) {
+    if (face->info().value == kNone) continue;
+    PlanarTriangle triangle;
+    for (int k = 0; k < 3; ++k) {
+      triangle.vertices[static_cast<std::size_t>(k)] = face->vertex(k)->info().value;
+      // CGAL's edge k lies opposite vertex k: it begins at vertex k + 1.
+      if (face->is_constrained(Cdt::cw(k))) triangle.constrained |= static_cast<std::uint8_t>(1U << k);
+    }
+    triangle.component = face->info().value;
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& options) {
+  Cdt cdt = build(mesh);
+  const std::vector<Kernel::Point_2> seeds = seeds_of(mesh);
+  // CGAL bounds the squared sine of the smallest angle.
+  const double sine = std::sin(options.min_angle_deg * std::acos(-1.0) / 180.0);
+  Mesher mesher(cdt, Criteria(sine * sine, options.max_edge));
+  mesher.set_seeds(seeds.begin(), seeds.end(), true);
+  mesher.init();
+  while (!mesher.is_refinement_done()) {
+    mesher.step_by_step_refine_mesh();
+    if (cdt.number_of_vertices() > options.max_vertices) return std::nullopt;
+  }
+  return extract(cdt, mesh, seeds);
+}
+
+}  // namespace clerestory::mesh
