@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "mesh/error.h"
+
+namespace clerestory::io {
+
+namespace {
+
+/// Rows of samples within a pixel, for the edges of polygons that are nearly level.
+constexpr int kScanlinesPerPixel = 4;
+
+/// First and last pixel whose centre may lie in [low, high], within [0, size).
+struct PixelRange {
+  PixelRange(double low, double high, int size)
+      : first(static_cast<int>(std::clamp(std::floor(low), 0.0, static_cast<double>(size)))),
+        last(static_cast<int>(std::clamp(std::ceil(high), -1.0, static_cast<double>(size - 1)))) {}
+  int first;
+  int last;
+};
+
+double distance_to_segment(Pixel p, Pixel a, Pixel b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+/// Adds the share of each pixel of a row that lies in [from, to].
+void add_span(std::vector<float>& row, double from, double to, double weight) {
+  const double end = static_cast<double>(row.size());
+  from = std::clamp(from, 0.0, end);
+  to = std::clamp(to, 0.0, end);
+  for (auto x = static_cast<std::size_t>(from); x < row.size() && static_cast<double>(x) < to; ++x) {
+    const double left = std::max(from, static_cast<double>(x));
+    const double right = std::min(to, static_cast<double>(x) + 1.0);
+    row[x] += static_cast<float>(weight * (right - left));
+  }
+}
+
+}  // namespace
+
+double lightness(Rgb colour) { return (0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b) / 255.0; }
+
+Mask::Mask(int width, int height)
+    : width_(width), height_(height), coverage_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+void Mask::add(int x, int y, float coverage) {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  float& here = coverage_[index(x, y)];
+  here = std::max(here, coverage);
+}
+
+void Mask::add_segment(Pixel a, Pixel b, double line_width) {
+  const double reach = 0.5 * line_width + 0.5;
+  const PixelRange rows(std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach, height_);
+  const PixelRange columns(std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, width_);
+  for (int y = rows.first; y <= rows.last; ++y) {
+    for (int x = columns.first; x <= columns.last; ++x) {
+      const double distance = distance_to_segment({x + 0.5, y + 0.5}, a, b);
+      add(x, y, static_cast<float>(std::clamp(reach - distance, 0.0, 1.0)));
+    }
+  }
+}
+
+void Mask::add_line(std::span<const Pixel> line, bool closed, double line_width) {
+  for (std::size_t i = 1; i < line.size(); ++i) add_segment(line[i - 1], line[i], line_width);
+  if (closed && line.size() > 2) add_segment(line.back(), line.front(), line_width);
+}
+
+void Mask::add_disc(Pixel centre, double radius) { add_segment(centre, centre, 2.0 * radius); }
+
+void Mask::add_scanline(std::span<const Pixel> loop, double y, std::vector<float>& row,
+                        std::vector<double>& crossings) {
+  crossings.clear();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Pixel& a = loop[i];
+    const Pixel& b = loop[(i + 1) % loop.size()];
+    if ((a.y <= y) != (b.y <= y)) crossings.push_back(a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y));
+  }
+  std::ranges::sort(crossings);
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    add_span(row, crossings[i], crossings[i + 1], 1.0 / kScanlinesPerPixel);
+  }
+}
+
+void Mask::add_polygon(std::span<const Pixel> loop) {
+  if (loop.size() < 3) return;
+  const auto [low, high] = std::ranges::minmax_element(loop, {}, &Pixel::y);
+  const PixelRange rows(low->y, high->y, height_);
+  std::vector<float> row(static_cast<std::size_t>(width_));
+  std::vector<double> crossings;
+  for (int y = rows.first; y <= rows.last; ++y) {
+    std::ranges::fill(row, 0.0F);
+    for (int s = 0; s < kScanlinesPerPixel; ++s) add_scanline(loop, y + (s + 0.5) / kScanlinesPerPixel, row, crossings);
+    for (int x = 0; x < width_; ++x) {
+      const float coverage = row[static_cast<std::size_t>(x)];
+      if (coverage > 0.0F) add(x, y, std::min(coverage, 1.0F));
+    }
+  }
+}
+
+void Mask::keep_inside(const Mask& other) {
+  for (std::size_t i = 0; i < coverage_.size(); ++i) coverage_[i] *= other.coverage_[i];
+}
+
+Raster::Raster(int width, int height, Rgb background)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), background) {}
+
+void Raster::blend(int x, int y, Rgb colour, double coverage) {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_ || coverage <= 0.0) return;
+  const double share = std::min(coverage, 1.0);
+  const auto mix = [share](std::uint8_t below, std::uint8_t above) {
+    return static_cast<std::uint8_t>(std::lround((1.0 - share) * below + share * above));
+  };
+  Rgb& here = pixels_[index(x, y)];
+  here = {mix(here.r, colour.r), mix(here.g, colour.g), mix(here.b, colour.b)};
+}
+
+void Raster::paint(const Mask& mask, Rgb colour, double opacity) {
+  for (int y = 0; y < std::min(height_, mask.height()); ++y) {
+    for (int x = 0; x < std::min(width_, mask.width()); ++x) {
+      const double coverage = static_cast<double>(mask.at(x, y));
+      if (coverage > 0.0) blend(x, y, colour, coverage * opacity);
+    }
+  }
+}
+
+void Raster::fill(const PixelRect& rectangle, Rgb colour) {
+  const int left = static_cast<int>(std::lround(rectangle.x));
+  const int top = static_cast<int>(std::lround(rectangle.y));
+  const int right = static_cast<int>(std::lround(rectangle.right()));
+  const int bottom = static_cast<int>(std::lround(rectangle.bottom()));
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) blend(x, y, colour, 1.0);
+  }
+}
+
+std::string Raster::png() const {
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width_, height_, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < height_; ++y) {
+    auto* out = static_cast<unsigned char*>(image->GetScalarPointer(0, height_ - 1 - y, 0));  // VTK counts rows upwards
+    for (int x = 0; x < width_; ++x) {
+      const Rgb colour = at(x, y);
+      *out++ = colour.r;
+      *out++ = colour.g;
+      *out++ = colour.b;
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image);
+  writer->Write();
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr || bytes->GetNumberOfValues() == 0) {
+    throw MachineError("a picture cannot be encoded as PNG");
+  }
+  const unsigned char* const first = bytes->GetPointer(0);
+  return {first, first + bytes->GetNumberOfValues()};
+}
+
+}  // namespace clerestory::io
