@@ -30,6 +30,13 @@ double total_area(const Soup& soup) {
   return sum;
 }
 
+/// Before any repair; holes that are reached by bridges are none of the area.
+double area_as_given(Soup soup) {
+  share_vertices(soup);
+  drop_unusable(soup);
+  return total_area(soup);
+}
+
 /// Panes as long as there are any: three stacks of sheets may leave two mid-surfaces that are one pane.
 bool reduce_all_panes(Soup& soup, const CleanOptions& options, const Model& model, std::vector<std::string>& notices) {
   bool changed = false;
@@ -64,8 +71,8 @@ void repair(Soup& soup, const CleanOptions& options, const Model& model, DefectL
 /// What is needed to go on even without repair: polygons that have no plane are dropped, and panes are reduced, since that is what
 /// their material asks for and not a repair. Vertices at the same place are shared, which moves nothing, so that panes are found.
 void prepare(Soup& soup, const CleanOptions& options, const Model& model, std::vector<std::string>& notices) {
-  drop_unusable(soup);
   share_vertices(soup);
+  drop_unusable(soup);
   reduce_all_panes(soup, options, model, notices);
 }
 
@@ -83,7 +90,7 @@ CleanSurface clean(const Model& model, const CleanOptions& options) {
   CleanSurface surface;
   CleanReport& report = surface.report;
   Soup soup = to_soup(model);
-  report.area_before_m2 = total_area(soup);
+  report.area_before_m2 = area_as_given(soup);
   if (options.repair == Repair::kAuto) {
     leave_out_far_parts(soup, options.far_away_m, model.part_names, report.notices);
   }

@@ -9,6 +9,7 @@
 #include "mesh/coplanar.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
+#include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
 #include "mesh/triangulate.h"
 
@@ -78,6 +79,7 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) 
   FaceDrafts drafts(options.plane_tolerance_m);
   Soup soup = to_soup(surface.polygons);
   share_vertices_of(soup, drafts.vertices);
+  drop_unusable(soup);
   for (const CoplanarGroup& group :
        group_coplanar(soup, {options.plane_tolerance_m, options.angle_tolerance_rad, true})) {
     const SoupPolygon& first = soup.polygons[group.polygons[0]];

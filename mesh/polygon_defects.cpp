@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/simple_loops.h"
 #include "mesh/t_junctions.h"
 
 namespace clerestory::mesh {
@@ -26,10 +27,9 @@ bool is_degenerate(const std::vector<Point>& points, const std::vector<std::uint
 bool drop_degenerate_holes(const Soup& soup, SoupPolygon& polygon, double tolerance, DefectList& defects) {
   bool changed = false;
   for (std::size_t l = polygon.loops.size() - 1; l > 0; --l) {
-    const std::vector<std::uint32_t> before = polygon.loops[l];
-    changed |= drop_repeated_corners(polygon.loops[l]);
     if (!is_degenerate(soup.points, polygon.loops[l], tolerance)) continue;
-    defects.add("degenerate holes", polygon.source, soup.points[before.front()]);
+    const Point place = polygon.loops[l].empty() ? place_of(soup, polygon) : soup.points[polygon.loops[l][0]];
+    defects.add("degenerate holes", polygon.source, place);
     polygon.loops.erase(polygon.loops.begin() + static_cast<std::ptrdiff_t>(l));
     changed = true;
   }
@@ -45,50 +45,23 @@ std::vector<Edge> sorted_edges(const SoupPolygon& polygon) {
 
 }  // namespace
 
-bool drop_repeated_corners(std::vector<std::uint32_t>& loop) {
-  const std::size_t before = loop.size();
-  std::vector<std::uint32_t> kept;
-  for (const std::uint32_t corner : loop) {
-    if (!kept.empty() && kept.back() == corner) continue;
-    if (kept.size() >= 2 && kept[kept.size() - 2] == corner) {
-      kept.pop_back();
-      continue;
-    }
-    kept.push_back(corner);
-  }
-  // The same where the loop closes.
-  std::size_t begin = 0;
-  std::size_t end = kept.size();
-  while (end - begin >= 2) {
-    if (kept[begin] == kept[end - 1]) {
-      --end;
-    } else if (end - begin >= 3 && kept[begin] == kept[end - 2]) {
-      end -= 2;
-    } else if (end - begin >= 3 && kept[begin + 1] == kept[end - 1]) {
-      ++begin;
-      --end;
-    } else {
-      break;
-    }
-  }
-  loop.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.begin() + static_cast<std::ptrdiff_t>(end));
-  return loop.size() != before;
-}
-
 bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects) {
   bool changed = false;
+  std::erase_if(soup.polygons, [&](const SoupPolygon& polygon) {
+    const bool empty = polygon.loops.empty() || polygon.loops.front().empty();
+    if (empty) defects.add("degenerate polygons", polygon.source, {});
+    changed = changed || empty;
+    return empty;
+  });
+  changed |= separate_loops(soup, defects);
   std::vector<SoupPolygon> kept;
   kept.reserve(soup.polygons.size());
   for (SoupPolygon& polygon : soup.polygons) {
-    const Point place = place_of(soup, polygon);
-    const bool repeated = !polygon.loops.empty() && drop_repeated_corners(polygon.loops.front());
     if (!plane_of(soup.points, polygon, tolerance)) {
-      defects.add("degenerate polygons", polygon.source, place);
+      defects.add("degenerate polygons", polygon.source, place_of(soup, polygon));
       changed = true;
       continue;
     }
-    if (repeated) defects.add("repeated corners", polygon.source, place);
-    changed |= repeated;
     changed |= drop_degenerate_holes(soup, polygon, tolerance, defects);
     kept.push_back(std::move(polygon));
   }
@@ -97,6 +70,9 @@ bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects) {
 }
 
 void drop_unusable(Soup& soup) {
+  DefectList ignored;
+  std::erase_if(soup.polygons, [](const SoupPolygon& p) { return p.loops.empty() || p.loops.front().empty(); });
+  separate_loops(soup, ignored);
   std::erase_if(soup.polygons, [&](const SoupPolygon& polygon) { return !plane_of(soup.points, polygon, 0.0); });
 }
 

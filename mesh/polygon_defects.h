@@ -7,16 +7,12 @@
 // Private to mesh/.
 namespace clerestory::mesh {
 
-/// Drops corners that repeat the one before, and there-and-back spikes of no width (a, b, a becomes a); a loop may come out empty.
-/// @return whether the loop changed
-bool drop_repeated_corners(std::vector<std::uint32_t>& loop);
-
-/// Drops repeated corners and spikes, holes of no area, and polygons of fewer than three distinct corners or no area (narrower than the
-/// tolerance [m]). Counts "repeated corners", "degenerate holes" and "degenerate polygons".
+/// Drops polygons and holes of fewer than three distinct corners or of no area (narrower than the tolerance [m]), after
+/// separate_loops(). Counts "degenerate polygons", "degenerate holes" and what separate_loops() counts.
 /// @return whether anything changed
 bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects);
 
-/// Drops polygons without three distinct corners or without a plane, which no later stage can take.
+/// Drops polygons without three distinct corners or without a plane, which no later stage can take, after separate_loops().
 void drop_unusable(Soup& soup);
 
 /// Of polygons with the same edges, either way round, keeps the first. Counts "duplicate polygons", and "duplicate polygons of
