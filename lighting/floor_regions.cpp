@@ -23,14 +23,18 @@ constexpr std::uint32_t kFewSamples = 8;
 constexpr std::uint32_t kHeadroomShare = 3;
 /// An edge is one that one falls over when it goes down by this [m]: more than a step, less than a storey.
 constexpr double kLeastDrop = 0.3;
-/// Tops of tables have such edges all around, or, in niches and corners, along a part and free space below.
+/// Tops of tables have such edges all around, or, in niches, in corners and along walls, over a part of the outline; they are then
+/// narrow, or there is free space below.
 constexpr double kFreeStanding = 0.5;
-constexpr double kHollowStanding = 0.2;
+constexpr double kPartStanding = 0.2;
+constexpr double kNarrow = 1.0;  ///< [m]
 
-/// Whether a region is a floor to stand on below a roof.
-bool is_floor(const GridSite& site, std::uint32_t region, double height_m) {
+enum class Light { kReaches, kDark };
+
+/// Whether a region is a floor to stand on below a roof, in a room that light reaches or in a dark one.
+bool is_floor(const GridSite& site, std::uint32_t region, double height_m, Light light) {
   if (!near_horizontal(site, region) || site.regions.area_m2[region] <= 0.0) return false;
-  if (site.anything_reachable && !site.region_reachable(region, upper_side(site, region))) return false;
+  if (site.region_reachable(region, upper_side(site, region)) != (light == Light::kReaches)) return false;
   const mesh::RegionPoints points(site.faces, site.regions, region);
   std::uint32_t roofed = 0;
   std::uint32_t high = 0;
@@ -42,7 +46,7 @@ bool is_floor(const GridSite& site, std::uint32_t region, double height_m) {
     ++roofed;
     if (way <= std::max(kHeadroom, height_m)) continue;
     ++high;
-    if (!site.anything_reachable && inside_solid(site, above + height_m * kUp, kUp)) ++solid;
+    if (light == Light::kDark && inside_solid(site, above + height_m * kUp, kUp)) ++solid;
   }
   return 2 * roofed >= kSamples && kHeadroomShare * high >= kSamples && 2 * solid <= high;
 }
@@ -103,7 +107,8 @@ bool hollow_below(const GridSite& site, Point point) {
 bool is_furniture(const GridSite& site, const GridSurface& surface, std::span<const std::uint32_t> regions) {
   const double share = drop_share(site, surface);
   if (share >= kFreeStanding) return true;
-  if (share < kHollowStanding) return false;
+  if (share < kPartStanding) return false;
+  if (surface.smaller_width_m() < kNarrow) return true;
   const auto largest = *std::ranges::max_element(regions, {}, [&](std::uint32_t r) { return site.regions.area_m2[r]; });
   const mesh::RegionPoints points(site.faces, site.regions, largest);
   std::uint32_t hollow = 0;
@@ -111,12 +116,10 @@ bool is_furniture(const GridSite& site, const GridSurface& surface, std::span<co
   return 2 * hollow >= kFewSamples;
 }
 
-}  // namespace
-
-std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& graph, double height_m) {
+std::vector<GridSurface> rooms_with(Light light, const GridSite& site, const RegionGraph& graph, double height_m) {
   std::vector<std::uint32_t> floors;
   for (std::uint32_t r = 0; r < site.regions.count(); ++r) {
-    if (is_floor(site, r, height_m)) floors.push_back(r);
+    if (is_floor(site, r, height_m, light)) floors.push_back(r);
   }
   const auto joined = graph.join(floors, {.may_join = [&](std::uint32_t r) { return goes_on(site, r, height_m); },
                                           .side = [&](std::uint32_t r) { return upper_side(site, r); },
@@ -130,6 +133,13 @@ std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& gr
     if (!surface.loops.empty() && !is_furniture(site, surface, regions)) rooms.push_back(std::move(surface));
   }
   return rooms;
+}
+
+}  // namespace
+
+std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& graph, double height_m) {
+  auto rooms = rooms_with(Light::kReaches, site, graph, height_m);
+  return rooms.empty() ? rooms_with(Light::kDark, site, graph, height_m) : rooms;
 }
 
 }  // namespace clerestory::lighting

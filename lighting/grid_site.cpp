@@ -23,7 +23,6 @@ struct Surroundings {
   std::uint32_t rays = 0;
   std::uint32_t escaped = 0;
   std::uint32_t reachable = 0;
-  std::uint32_t backs = 0;
   double way_m = 0.0;  ///< sum
 };
 
@@ -38,7 +37,6 @@ void look(const GridSite& site, const mesh::Point& from, std::uint32_t first, st
     }
     seen.way_m += hit.distance;
     if (site.reaches(hit.triangle, hit.side)) ++seen.reachable;
-    if (hit.side == mesh::Side::kBack) ++seen.backs;
   }
 }
 
@@ -49,8 +47,7 @@ bool looks_solid(const GridSite& site, const mesh::Point& from) {
   look(site, from, kFirstDirections, kDirections, seen);
   // One ray may slip through an edge.
   if (seen.escaped > 1 || 2 * seen.reachable > seen.rays) return false;
-  if (seen.way_m >= kSolidFreeWay * (seen.rays - seen.escaped)) return false;
-  return site.anything_reachable || seen.backs + seen.escaped == seen.rays;
+  return seen.way_m < kSolidFreeWay * (seen.rays - seen.escaped);
 }
 
 }  // namespace
@@ -59,8 +56,7 @@ GridSite::GridSite(const mesh::Faces& f, const mesh::Rays& r, const std::vector<
     : faces(f),
       rays(r),
       regions(mesh::number_regions(f)),
-      reachable(mesh::reachable_triangles(f, r, reachable_sides)),
-      anything_reachable(std::ranges::any_of(reachable, [](std::uint8_t x) { return x != 0; })) {}
+      reachable(mesh::reachable_triangles(f, r, reachable_sides)) {}
 
 double GridSite::free_way(const mesh::Point& from, const mesh::Vector& direction) const {
   const mesh::Hit hit = rays.first_hit({from, direction});

@@ -16,7 +16,6 @@ struct GridSite {
   const mesh::Rays& rays;
   mesh::Regions regions;
   std::vector<std::uint8_t> reachable;  ///< [2 a triangle of the shape] as mesh::reachable_triangles
-  bool anything_reachable = false;      ///< false in a closed, dark model
 
   GridSite(const mesh::Faces& faces, const mesh::Rays& rays, const std::vector<std::uint8_t>& reachable_sides);
 
@@ -34,9 +33,8 @@ struct GridSite {
 };
 
 /// Whether a sensor position lies inside a solid: around it no more than half of what rays meet can be reached by light, none
-/// escapes, and the mean way to the first surface is less than 0.75 m. A large dark room is therefore not a solid. Where nothing
-/// in the model is reachable, all rays must meet backs as well, as they do in a solid that is wound outwards.
-/// A position within 1 mm of a surface is judged from its open side.
+/// escapes, and the mean way to the first surface is less than 0.75 m. A dark room is therefore not a solid. The winding does not
+/// count: few models keep to one. A position within 1 mm of a surface is judged from its open side.
 bool inside_solid(const GridSite& site, const mesh::Point& position, const mesh::Vector& normal);
 
 }  // namespace clerestory::lighting

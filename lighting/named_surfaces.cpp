@@ -105,8 +105,8 @@ std::optional<Facing> facing(const GridSite& site, std::uint32_t region, double 
     if (4 * space.free < kSamples) continue;
     const double free = space.free;
     const bool indoors = 2 * space.roofed > space.free;
-    const double rank =
-        (site.region_reachable(region, side) ? 4.0 : 0.0) + (indoors ? 2.0 : 0.0) + (1.0 - space.escaping / free);
+    const double reachable = site.region_reachable(region, side) ? 2.0 : 0.0;
+    const double rank = (indoors ? 4.0 : 0.0) + reachable + (1.0 - space.escaping / free);
     if (rank <= best_rank) continue;
     best_rank = rank;
     best = Facing{side, indoors};

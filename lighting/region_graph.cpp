@@ -25,6 +25,9 @@ constexpr double kTrySpacing = 0.5;
 /// … and this far above a surface at least, where the sensors lie on it [m].
 constexpr double kLeastHeight = 0.01;
 
+/// What is known of a region while surfaces grow.
+enum State : std::uint8_t { kUnknown, kMayJoin, kRefused, kTaken };
+
 std::pair<std::uint32_t, std::uint32_t> key(const Edge& e) { return std::minmax(e.from, e.to); }
 
 /// Numbers places: vertices at exactly the same point are one.
@@ -106,54 +109,61 @@ bool RegionGraph::passable(const Edge& edge, const Vector& look, double height_m
   return 2 * clear >= tries;
 }
 
+std::pair<std::uint32_t, std::uint32_t> RegionGraph::directed(const Edge& edge, const Vector& look) const {
+  const Vector front = mesh::side_normal(site_.faces, site_.regions.face[edge.region], mesh::Side::kFront);
+  return mesh::dot(front, look) < 0.0 ? std::pair(edge.to, edge.from) : std::pair(edge.from, edge.to);
+}
+
+bool RegionGraph::overlaps(std::uint32_t region, const Vector& look, const Directed& taken) const {
+  return std::ranges::any_of(edges_of(region), [&](const Edge& e) { return taken.contains(directed(e, look)); });
+}
+
 std::vector<std::vector<std::uint32_t>> RegionGraph::join(std::span<const std::uint32_t> seeds,
                                                           const Joining& rules) const {
-  enum State : std::uint8_t { kUnknown, kMayJoin, kRefused, kTaken };
   std::vector<std::uint8_t> state(site_.regions.count(), kUnknown);
   for (const std::uint32_t seed : seeds) state[seed] = kMayJoin;
-
   std::vector<std::vector<std::uint32_t>> surfaces;
   for (const std::uint32_t seed : seeds) {
-    if (state[seed] == kTaken) continue;
-    std::vector<std::uint32_t> surface{seed};
-    state[seed] = kTaken;
-    for (std::size_t next = 0; next < surface.size(); ++next) {
-      const std::uint32_t region = surface[next];
-      const Vector look = look_of(site_, region, rules.side(region));
-      for (std::uint32_t e = starts_[region]; e < starts_[region + 1]; ++e) {
-        const Edge& edge = edges_of_region_[e];
-        for (const Edge& other : edges_between(edge.from, edge.to)) {
-          std::uint8_t& there = state[other.region];
-          if (there == kTaken || there == kRefused) continue;
-          if (there == kUnknown) there = rules.may_join(other.region) ? kMayJoin : kRefused;
-          if (there == kRefused) continue;
-          if (mesh::dot(look, look_of(site_, other.region, rules.side(other.region))) < kSameLook) continue;
-          if (!passable(edge, look, rules.height_m)) continue;
-          there = kTaken;
-          surface.push_back(other.region);
-        }
-      }
-    }
-    std::sort(surface.begin(), surface.end());
-    surfaces.push_back(std::move(surface));
+    if (state[seed] != kTaken) surfaces.push_back(grow(seed, rules, state));
   }
   return surfaces;
 }
 
-std::vector<Edge> RegionGraph::boundary(std::span<const std::uint32_t> regions, const Vector& look) const {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;  // +1 in the order of the key, -1 against it
-  for (const std::uint32_t r : regions) {
-    const bool flipped =
-        mesh::dot(mesh::side_normal(site_.faces, site_.regions.face[r], mesh::Side::kFront), look) < 0.0;
-    for (std::uint32_t e = starts_[r]; e < starts_[r + 1]; ++e) {
-      const Edge& edge = edges_of_region_[e];
-      balance[key(edge)] += (edge.from < edge.to) != flipped ? 1 : -1;
+std::vector<std::uint32_t> RegionGraph::grow(std::uint32_t seed, const Joining& rules,
+                                             std::vector<std::uint8_t>& state) const {
+  const Vector look = look_of(site_, seed, rules.side(seed));
+  std::vector<std::uint32_t> surface;
+  Directed taken;
+  const auto take = [&](std::uint32_t region) {
+    state[region] = kTaken;
+    surface.push_back(region);
+    for (const Edge& edge : edges_of(region)) taken.insert(directed(edge, look));
+  };
+  const auto joins = [&](std::uint32_t region) {
+    if (state[region] == kUnknown) state[region] = rules.may_join(region) ? kMayJoin : kRefused;
+    return state[region] == kMayJoin && mesh::dot(look, look_of(site_, region, rules.side(region))) > kSameLook &&
+           !overlaps(region, look, taken);
+  };
+  take(seed);
+  for (std::size_t next = 0; next < surface.size(); ++next) {
+    for (const Edge& edge : edges_of(surface[next])) {
+      for (const Edge& other : edges_between(edge.from, edge.to)) {
+        if (joins(other.region) && passable(edge, look, rules.height_m)) take(other.region);
+      }
     }
   }
+  std::sort(surface.begin(), surface.end());
+  return surface;
+}
+
+std::vector<Edge> RegionGraph::boundary(std::span<const std::uint32_t> regions, const Vector& look) const {
+  Directed all;
+  for (const std::uint32_t r : regions) {
+    for (const Edge& edge : edges_of(r)) all.insert(directed(edge, look));
+  }
   std::vector<Edge> left;
-  for (const auto& [ends, sum] : balance) {
-    if (sum > 0) left.push_back({ends.first, ends.second, 0});
-    if (sum < 0) left.push_back({ends.second, ends.first, 0});
+  for (const auto& [from, to] : all) {
+    if (!all.contains({to, from})) left.push_back({from, to, 0});
   }
   return left;
 }

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lighting/grid_site.h"
@@ -37,7 +39,8 @@ class RegionGraph {
     std::function<mesh::Side(std::uint32_t)> side;  ///< of a region that may join
     double height_m = 0.0;
   };
-  /// Grows the seeds; each result is one connected surface, sorted, in the order of the seeds.
+  /// Grows the seeds; each result is one connected surface, sorted, in the order of the seeds. Of regions that lie on each other
+  /// (a floor, and the foot of what stands on it) it takes one.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> join(std::span<const std::uint32_t> seeds,
                                                              const Joining& rules) const;
 
@@ -47,6 +50,17 @@ class RegionGraph {
                                                               const mesh::Vector& look) const;
 
  private:
+  /// Directed edges, from and to as places.
+  using Directed = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+  [[nodiscard]] std::vector<std::uint32_t> grow(std::uint32_t seed, const Joining& rules,
+                                                std::vector<std::uint8_t>& state) const;
+  [[nodiscard]] std::span<const Edge> edges_of(std::uint32_t region) const {
+    return std::span(edges_of_region_).subspan(starts_[region], starts_[region + 1] - starts_[region]);
+  }
+  /// The edge as it runs counter-clockwise about its region, seen against `look`.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> directed(const Edge& edge, const mesh::Vector& look) const;
+  [[nodiscard]] bool overlaps(std::uint32_t region, const mesh::Vector& look, const Directed& taken) const;
   [[nodiscard]] std::span<const Edge> edges_between(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool passable(const Edge& edge, const mesh::Vector& look, double height_m) const;
   [[nodiscard]] std::vector<Edge> boundary(std::span<const std::uint32_t> regions, const mesh::Vector& look) const;

@@ -8,7 +8,7 @@
 
 namespace clerestory::lighting {
 
-/// The floors of rooms: level regions that light can reach (all of them where the model is closed and dark), with a roof and at
+/// The floors of rooms: level regions that light can reach (where it reaches none, the dark ones), with a roof and at
 /// least 1.8 m of free height, joined over edges that nothing stands on higher than the sensors, of 2 m² and more; but not the tops
 /// of tables, beds and counters, over whose edges one falls on a lower floor.
 std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& graph, double height_m);
