@@ -22,12 +22,13 @@ constexpr const char* kCollection = "result.vtm";
 /// Leaves room for an ending within the 255 bytes of a file name.
 constexpr std::size_t kLongestGridName = 200;
 
-void expect_usable_as_file_name(const std::string& grid) {
+void expect_usable_as_file_name(const std::string& grid, const std::filesystem::path& study_file) {
   const auto is_bad = [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; };
   const bool usable = !grid.empty() && grid.size() <= kLongestGridName && grid.front() != '.' &&
                       std::none_of(grid.begin(), grid.end(), is_bad);
   if (!usable)
-    throw InputError("", 0, "the grid's name '" + grid.substr(0, 60) + "' cannot be the name of a file",
+    throw InputError(study_file.string(), 0,
+                     "the grid's name '" + grid.substr(0, 60) + "' cannot be the name of a file",
                      "use letters, digits, - and _");
 }
 
@@ -67,14 +68,14 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
 
 }  // namespace
 
-std::vector<std::string> result_names(const lighting::Study& study) {
+std::vector<std::string> result_names(const lighting::Study& study, const std::filesystem::path& file) {
   std::vector<std::string> names = {kSummary, kSurfaces, kCollection};
   for (const lighting::GridRequest& grid : study.grids) {
-    expect_usable_as_file_name(grid.name);
+    expect_usable_as_file_name(grid.name, file);
     for (const char* ending : {".csv", ".vtp", ".png"}) {
       const std::string name = grid.name + ending;
       if (std::find(names.begin(), names.end(), name) != names.end())
-        throw InputError("", 0, "the grid '" + grid.name + "' would write " + name + ", as other results do",
+        throw InputError(file.string(), 0, "the grid '" + grid.name + "' would write " + name + ", as other results do",
                          "give it another name");
       names.push_back(name);
     }

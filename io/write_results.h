@@ -13,9 +13,9 @@
 
 namespace clerestory::io {
 
-/// The names that the files of a study's results may have, for check_result_folder().
+/// The names that the files of a study's results have, for check_result_folder(). `file` is the study's, for messages.
 /// Throws InputError for grid names that no file can have, and for grids that would share a file.
-std::vector<std::string> result_names(const lighting::Study& study);
+std::vector<std::string> result_names(const lighting::Study& study, const std::filesystem::path& file);
 
 /// Writes the results into the folder: summary.json; a table, the polygons and a map of each grid; the surfaces; and the
 /// collection of them (docs/results.md). All or nothing: see ResultFolder. Adds the phase "writing" and the list of files

@@ -94,7 +94,7 @@ int answer(lighting::Study::Kind kind, const Options& options) {
   const io::Stopwatch reading;
   const io::StudyInput input = io::read_study(options.study, {kind, options.set});
   const io::ResultContext context = context_of(input, options);
-  io::check_result_folder(options.out, io::result_names(input.study));
+  io::check_result_folder(options.out, io::result_names(input.study, options.study));
   io::RunFigures figures;
   figures.before.push_back(reading.elapsed("reading"));
   figures.threads = options.threads;

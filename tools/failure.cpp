@@ -19,7 +19,10 @@ bool is(const std::exception& error) {
 
 Failure with_words(const std::exception& error) {
   if (is<CommandLineError>(error)) return {kCommandLineAtFault, error.what()};
-  if (is<InputError>(error)) return {kInputAtFault, error.what()};
+  if (const auto* input = dynamic_cast<const InputError*>(&error)) {
+    const bool in_command = input->file().starts_with("--set");  // where the reader puts what an override gets wrong
+    return {in_command ? kCommandLineAtFault : kInputAtFault, error.what()};
+  }
   if (is<Interrupted>(error)) return {kInterruptedByUser, error.what()};
   if (is<MachineError>(error) || is<std::system_error>(error)) return {kMachineAtFault, error.what()};
   if (is<std::bad_alloc>(error)) return {kMachineAtFault, "out of memory; ask for a lower accuracy or a coarser grid"};

@@ -17,6 +17,7 @@ namespace clerestory::tools {
 namespace {
 
 constexpr int kMostThreads = 1024;
+constexpr double kCoarsestAccuracy = 0.5;  // as the study file has it
 
 const std::vector<std::string> kCommands = {"daylight", "illuminance"};
 
@@ -195,9 +196,9 @@ double parse_accuracy(const std::string& text) {
   if (percent) number = io::trim(number.substr(0, number.size() - 1));
   const auto value = io::parse_number(number);
   const double share = value ? (percent ? *value / 100.0 : *value) : 0.0;
-  if (!(share > 0.0 && share < 1.0))
+  if (!(share > 0.0 && share <= kCoarsestAccuracy))
     throw CommandLineError(
-        fmt::format("--accuracy {} is not a share between 0 and 1; write 2% or 0.02", io::in_quotes(text)));
+        fmt::format("--accuracy {} is not a share between 0 and 50 %; write 2% or 0.02", io::in_quotes(text)));
   return share;
 }
 

@@ -39,7 +39,7 @@ struct Request {
 /// subcommand or an option is unknown.
 Request read_command_line(std::span<const char* const> words);
 
-/// The accuracy that "2%", "2 %" or "0.02" means, a share between 0 and 1. Throws CommandLineError.
+/// The accuracy that "2%", "2 %" or "0.02" means, a share up to one half. Throws CommandLineError.
 double parse_accuracy(const std::string& text);
 
 }  // namespace clerestory::tools

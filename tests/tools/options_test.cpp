@@ -55,7 +55,7 @@ TEST(Options, AnAccuracyIsAShareOrAPercentage) {
   EXPECT_DOUBLE_EQ(parse_accuracy("2%"), 0.02);
   EXPECT_DOUBLE_EQ(parse_accuracy("0.5 %"), 0.005);
   EXPECT_DOUBLE_EQ(parse_accuracy("0.02"), 0.02);
-  for (const char* bad : {"2", "0", "-1%", "100%", "nan", "%", "", "two", "0.02x"})
+  for (const char* bad : {"2", "0.51", "0", "-1%", "100%", "nan", "%", "", "two", "0.02x"})
     EXPECT_THROW(parse_accuracy(bad), CommandLineError) << bad;
 }
 
