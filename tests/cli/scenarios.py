@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Promises of the command that take more than one run of it, a signal, or a limit: scenarios.py SCENARIO --program P
+--scratch DIR. A scenario is a function below; its name is the promise."""
+import argparse
+import json
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+INPUTS = Path(__file__).resolve().parent / "inputs"
+RESULTS = {"summary.json", "result.vtm", "surfaces.vtp", "workplane.csv", "workplane.png", "workplane.vtp"}
+
+
+class Command:
+    """Runs the command in the scratch folder, which holds the room and its study."""
+
+    def __init__(self, program, scratch):
+        self.program, self.scratch = program, scratch
+        shutil.rmtree(scratch, ignore_errors=True)
+        scratch.mkdir(parents=True)
+        for name in ("room.toml", "room.obj"):
+            shutil.copy(INPUTS / name, scratch)
+
+    def start(self, *arguments, prepare=None, folder="."):
+        return subprocess.Popen([self.program, *arguments], cwd=self.scratch / folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=prepare)
+
+    def run(self, *arguments, status=0, lines=0, **how):
+        """Runs to the end; stderr, which must have so many lines."""
+        process = self.start(*arguments, **how)
+        _, err = process.communicate()
+        expect(process.returncode == status, f"{arguments}: status {process.returncode}, not {status}: {err}")
+        expect(len(err.splitlines()) == lines, f"{arguments}: stderr is not {lines} lines: {err!r}")
+        return err
+
+    def contents(self, folder="."):
+        root = self.scratch / folder
+        return {str(p.relative_to(root)): p.read_bytes() for p in sorted(root.rglob("*")) if p.is_file()}
+
+
+def expect(fact, otherwise):
+    if not fact:
+        sys.exit(otherwise)
+
+
+def limit_file_size(size):
+    """A full disk for those who cannot mount one: no file may grow beyond the size [bytes]."""
+    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+
+def current_folder_keeps_other_files(command):
+    (command.scratch / "thesis.doc").write_text("years of work")
+    command.run("daylight", "room.toml", "-o", ".", "--quiet")
+    command.run("daylight", "room.toml", "-o", ".", "--quiet")
+    after = command.contents()
+    expect(set(after) == RESULTS | {"room.toml", "room.obj", "thesis.doc"}, f"there are {sorted(after)}")
+    expect(after["thesis.doc"] == b"years of work", "thesis.doc has changed")
+
+
+def file_of_the_user_is_not_overwritten(command):
+    (command.scratch / "workplane.csv").write_text("mine")
+    before = command.contents()
+    err = command.run("daylight", "room.toml", "-o", ".", status=1, lines=1)
+    expect("workplane.csv" in err and "-o" in err, f"no remedy: {err}")
+    expect(command.contents() == before, "something has changed")
+
+
+def second_run_replaces_the_first(command):
+    command.run("daylight", "room.toml", "--quiet")
+    study = command.scratch / "room.toml"
+    study.write_text(study.read_text().replace('"workplane"', '"desk"'))
+    command.run("daylight", "room.toml", "--quiet")
+    names = set(command.contents("room-results"))
+    expect(names == {n.replace("workplane", "desk") for n in RESULTS}, f"there are {sorted(names)}")
+
+
+def full_disk_writes_nothing(command):
+    before = command.contents()
+    err = command.run("daylight", "room.toml", status=3, lines=1, prepare=limit_file_size(100))
+    expect("room-results" in err, f"the folder is not named: {err}")
+    expect(command.contents() == before and not (command.scratch / "room-results").exists(), "something was written")
+
+
+def full_disk_keeps_older_results(command):
+    command.run("daylight", "room.toml", "--quiet")
+    older = command.contents("room-results")
+    limit = max(10_000, min(20_000, len(older["workplane.png"]) - 1))  # enough for the check before the run
+    command.run("daylight", "room.toml", status=3, lines=1, prepare=limit_file_size(limit))
+    after = command.contents("room-results")
+    expect(json.loads(after.pop("summary.json"))["status"] == "failed", "the failure is not recorded")
+    expect(after == {f"previous/{name}": data for name, data in older.items()}, f"there are {sorted(after)}")
+
+
+def interruption_leaves_the_folder_as_it_was(command):
+    command.run("daylight", "room.toml", "--quiet")
+    before = command.contents()
+    for stop in (signal.SIGINT, signal.SIGTERM):
+        process = command.start("daylight", "room.toml", "--set", "grids.0.spacing=0.02", "--accuracy", "0.2%")
+        time.sleep(1.0)
+        expect(process.poll() is None, "the run ended too soon to be interrupted")
+        process.send_signal(stop)
+        asked = time.monotonic()
+        _, err = process.communicate(timeout=60)
+        expect(process.returncode == 130, f"status {process.returncode}: {err}")
+        expect(err == "error: interrupted\n", f"stderr is {err!r}")
+        expect(time.monotonic() - asked < 20.0, "it took too long to stop")
+        expect(command.contents() == before, "something has changed")
+
+
+def same_bytes_for_one_and_two_threads(command):
+    tables = []
+    for threads in ("1", "2"):
+        command.run("daylight", "room.toml", "--quiet", "--threads", threads, "-o", threads)
+        tables.append((command.scratch / threads / "workplane.csv").read_bytes())
+    expect(tables[0] == tables[1], "the tables differ")
+
+
+SCENARIOS = {f.__name__: f for f in (
+    current_folder_keeps_other_files, file_of_the_user_is_not_overwritten, full_disk_keeps_older_results,
+    full_disk_writes_nothing, interruption_leaves_the_folder_as_it_was, same_bytes_for_one_and_two_threads,
+    second_run_replaces_the_first)}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("scenario", choices=SCENARIOS)
+    parser.add_argument("--program", type=Path, required=True)
+    parser.add_argument("--scratch", type=Path, required=True)
+    options = parser.parse_args()
+    SCENARIOS[options.scenario](Command(options.program.resolve(), options.scratch.resolve()))
+
+
+if __name__ == "__main__":
+    main()
