@@ -57,7 +57,8 @@ void expect_whole(const lighting::GridResult& grid) {
   const std::size_t count = grid.sensors.count();
   const bool has_df = !grid.daylight_factor_percent.empty();
   if (grid.sensors.normals.size() != count || grid.illuminance_lux.size() != count || grid.error_lux.size() != count ||
-      (has_df && grid.daylight_factor_percent.size() != count))
+      (has_df && grid.daylight_factor_percent.size() != count) ||
+      (!grid.sensors.ids.empty() && grid.sensors.ids.size() != count))
     throw std::logic_error("grid '" + grid.name + "' has arrays of different lengths");
 }
 
@@ -68,8 +69,9 @@ std::string grid_csv(const lighting::GridResult& grid) {
   const bool has_df = !grid.daylight_factor_percent.empty();
   std::string text = "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux";
   text += has_df ? ",daylight_factor_percent\n" : "\n";
+  const bool numbered = !grid.sensors.ids.empty();
   for (std::size_t i = 0; i < grid.sensors.count(); ++i) {
-    text += std::to_string(i);
+    text += std::to_string(numbered ? grid.sensors.ids[i] : i);
     const mesh::Point& p = grid.sensors.positions[i];
     const mesh::Vector& n = grid.sensors.normals[i];
     for (const double x : {p.x, p.y, p.z}) append_coordinate(text, x, grid.name);

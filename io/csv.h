@@ -10,6 +10,7 @@ namespace clerestory::io {
 
 /// A grid as a table, a sensor a line in the order of the sensors:
 /// `id,x,y,z,nx,ny,nz,illuminance_lux,error_lux[,daylight_factor_percent]`, positions [m, model coordinates].
+/// The id is the sensor's number from 0; of a list of given points those that were left out keep theirs.
 /// Positions have six decimals (1 µm), normals nine significant digits, and light values the fewest digits that read
 /// back as the same float. The bytes depend on the values alone, not on locale or threads.
 /// A value that is not finite is our own bug: throws std::logic_error.

@@ -39,6 +39,13 @@ TEST(Csv, HasTheDaylightFactorWhereTheGridHasIt) {
   EXPECT_NE(csv.find(",123.456,1.5,1.25\n"), std::string::npos);
 }
 
+TEST(Csv, SensorsKeepTheirNumbersWhereOthersAreLeftOut) {
+  auto grid = two_sensors();
+  grid.sensors.ids = {3, 7};
+  EXPECT_NE(grid_csv(grid).find("\n3,1.5,"), std::string::npos);
+  EXPECT_NE(grid_csv(grid).find("\n7,612345"), std::string::npos);
+}
+
 TEST(Csv, LightReadsBackAsTheSameFloat) {
   auto grid = two_sensors();
   for (const float value : {0.1F, 1.0F / 3.0F, 16777217.0F, std::numeric_limits<float>::min(), 3.4e38F}) {
