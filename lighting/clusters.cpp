@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clerestory::lighting {
+
+using mesh::Box;
+using mesh::ElementId;
+using mesh::Point;
+
+namespace {
+
+Box box_of(const mesh::ElementTree& tree, ElementId e) {
+  std::array<Point, 4> corners;
+  const std::size_t count = tree.hull(e, corners);
+  Box box;
+  for (std::size_t i = 0; i < count; ++i) box.add(corners[i]);
+  return box;
+}
+
+}  // namespace
+
+Clusters::Clusters(const mesh::ElementTree& tree) {
+  order_.assign(tree.roots().begin(), tree.roots().end());
+  if (!order_.empty()) build(tree, 0, static_cast<std::uint32_t>(order_.size()));
+  area_before_.push_back(0.0);
+  for (const ElementId root : order_) area_before_.push_back(area_before_.back() + tree.area(root));
+}
+
+void Clusters::build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end) {
+  const std::size_t id = nodes_.size();
+  nodes_.emplace_back();
+  Node node;
+  node.begin = begin;
+  node.count = end - begin;
+  Box centres;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    node.box.add(box_of(tree, order_[i]));
+    node.area += tree.area(order_[i]);
+    centres.add(tree.centroid(order_[i]));
+  }
+  node.centre = node.box.centre();
+  node.radius = 0.5 * node.box.diagonal();
+  nodes_[id] = node;
+  if (node.count == 1) return;
+
+  const mesh::Vector size = centres.size();
+  const auto along = [&](ElementId e) {
+    const Point& c = tree.centroid(e);
+    return size.x >= size.y && size.x >= size.z ? c.x : (size.y >= size.z ? c.y : c.z);
+  };
+  std::stable_sort(order_.begin() + begin, order_.begin() + end,
+                   [&](ElementId a, ElementId b) { return along(a) < along(b); });
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  build(tree, begin, middle);
+  nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
+  build(tree, middle, end);
+}
+
+ClusterPoint Clusters::sample(const mesh::ElementTree& tree, std::uint32_t c, double a, double b) const {
+  const Node& node = nodes_[c];
+  const double first = area_before_[node.begin];
+  const double wanted = first + a * node.area;
+  const auto begin = area_before_.begin() + node.begin;
+  const auto found = std::upper_bound(begin + 1, begin + node.count, wanted);
+  const auto i = static_cast<std::size_t>(found - area_before_.begin()) - 1;
+  const ElementId root = order_[i];
+  const double stretched = std::clamp((wanted - area_before_[i]) / tree.area(root), 0.0, std::nextafter(1.0, 0.0));
+  return {tree.sample(root, stretched, b), tree.normal(root), root};
+}
+
+void Clusters::pull(const Solution& solution) {
+  channels_ = solution.channels();
+  radiosity_.assign(size() * channels_, 0.0F);
+  mean_.assign(size(), 0.0F);
+  deviation_.assign(size(), 0.0F);
+  std::vector<double> square(size(), 0.0);
+  for (std::size_t i = size(); i-- > 0;) {
+    const auto c = static_cast<std::uint32_t>(i);
+    if (is_leaf(c)) {
+      const auto b = solution.radiosity(root(c));
+      std::copy(b.begin(), b.end(), radiosity_.begin() + static_cast<std::ptrdiff_t>(i * channels_));
+      mean_[i] = solution.radiosity_mean(root(c));
+      deviation_[i] = solution.radiosity_deviation(root(c));
+    } else {
+      const auto share = static_cast<float>(area(left(c)) / area(c));
+      for (std::size_t k = 0; k < channels_; ++k) {
+        radiosity_[i * channels_ + k] = share * radiosity_[left(c) * channels_ + k] +
+                                        (1.0F - share) * radiosity_[right(c) * channels_ + k];
+      }
+      mean_[i] = share * mean_[left(c)] + (1.0F - share) * mean_[right(c)];
+      const double below = share * square[left(c)] + (1.0 - share) * square[right(c)];
+      deviation_[i] = static_cast<float>(std::sqrt(std::max(0.0, below - double{mean_[i]} * mean_[i])));
+    }
+    square[i] = double{mean_[i]} * mean_[i] + double{deviation_[i]} * deviation_[i];
+  }
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// A place on a cluster's surfaces.
+struct ClusterPoint {
+  mesh::Point at;
+  mesh::Vector normal;
+  mesh::ElementId root;
+};
+
+/// A binary tree of clusters over the roots of the element tree: bundles of surfaces that send light as one source to receivers
+/// for which their detail does not matter [Smits, Arvo, Greenberg 1994; Sillion 1995]. Leaves hold one root each.
+class Clusters {
+ public:
+  explicit Clusters(const mesh::ElementTree& tree);
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  /// The cluster of everything is number 0; there is none when the tree has no roots.
+  [[nodiscard]] bool is_leaf(std::uint32_t c) const { return nodes_[c].count == 1; }
+  [[nodiscard]] std::uint32_t left(std::uint32_t c) const { return c + 1; }
+  [[nodiscard]] std::uint32_t right(std::uint32_t c) const { return nodes_[c].right; }
+  /// The root of a leaf.
+  [[nodiscard]] mesh::ElementId root(std::uint32_t c) const { return order_[nodes_[c].begin]; }
+  [[nodiscard]] double area(std::uint32_t c) const { return nodes_[c].area; }
+  [[nodiscard]] const mesh::Point& centre(std::uint32_t c) const { return nodes_[c].centre; }
+  /// Half the diagonal of the box [m].
+  [[nodiscard]] double radius(std::uint32_t c) const { return nodes_[c].radius; }
+  [[nodiscard]] const mesh::Box& box(std::uint32_t c) const { return nodes_[c].box; }
+
+  /// A place on the cluster's surfaces, uniform by area, from (a, b) in the unit square.
+  [[nodiscard]] ClusterPoint sample(const mesh::ElementTree& tree, std::uint32_t c, double a, double b) const;
+
+  /// Takes over the roots' radiosities: area means per channel, luminance means and deviations.
+  void pull(const Solution& solution);
+  [[nodiscard]] std::span<const float> radiosity(std::uint32_t c) const {
+    return std::span(radiosity_).subspan(c * channels_, channels_);
+  }
+  [[nodiscard]] float radiosity_mean(std::uint32_t c) const { return mean_[c]; }
+  [[nodiscard]] float radiosity_deviation(std::uint32_t c) const { return deviation_[c]; }
+
+ private:
+  struct Node {
+    mesh::Box box;
+    mesh::Point centre;
+    double radius = 0.0;
+    double area = 0.0;
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
+    std::uint32_t right = 0;
+  };
+
+  void build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Node> nodes_;  ///< parents before children, the left child next to its parent
+  std::vector<mesh::ElementId> order_;
+  std::vector<double> area_before_;  ///< [roots + 1] of all roots ahead in order_
+  std::size_t channels_ = 1;
+  std::vector<float> radiosity_;
+  std::vector<float> mean_;
+  std::vector<float> deviation_;
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lighting/importance.h"
+#include "lighting/links.h"
+#include "lighting/solution.h"
+#include "mesh/progress.h"
+
+namespace clerestory::lighting {
+
+/// Illuminance by a point source at an unobstructed point [lux]: inverse square and cosine laws.
+double point_illuminance(const PointSource& source, const mesh::Point& at, const mesh::Vector& normal);
+
+/// What light_directly() gives besides the direct light that it leaves in the solution.
+struct DirectLight {
+  /// Factors of the elements that nodes see through openings. They partition with the ordinary links: visibility stops there where a
+  /// segment leaves through an opening.
+  std::vector<Link> links;
+  /// Mean illuminance at the sensors by all light, an estimate [lux]: the scale of tolerances.
+  double scale_lux = 0.0;
+};
+
+/// Finds what every node receives straight from sky (by itself or through openings) and point sources, and what it sees through
+/// openings. Starts at the roots and opens nodes where a line over the node misses more than tolerance · scale_lux at the sensors.
+DirectLight light_directly(Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed,
+                           Progress& progress);
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "lighting/light_paths.h"
+#include "lighting/parallel.h"
+#include "lighting/sampling.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::FaceSide;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+/// Rays that measure what leaves: 0.2 % of the flux at worst, nothing in closed scenes.
+constexpr std::uint32_t kRays = 1U << 16U;
+
+/// The share of a ray that ends on opaque surfaces.
+struct Landing {
+  double share = 0.0;
+  void surface(FaceSide, const Point&, float weight, bool) { share += weight; }
+  void sky(const Vector&, float) {}
+};
+
+bool is_pane(const Solution& solution, ElementId e) {
+  return solution.scene().passable[solution.tree().face_side(e).face.index()] != 0;
+}
+
+double mean_direct(Solution& solution, ElementId e) {
+  // What is given at a node or above it; slopes do not change means of nodes, but they do those of their parts.
+  const mesh::ElementTree& tree = solution.tree();
+  double sum = 0.0;
+  for (ElementId up = e; up.valid(); up = tree.parent(up)) {
+    const Vector d = tree.centroid(e) - tree.centroid(up);
+    const auto direct = solution.direct(up);
+    for (std::size_t c = 0; c < direct.size(); ++c) {
+      sum += solution.scene().channel_weights[c] *
+             (direct[c].value + direct[c].slope_u * dot(d, tree.axes(e).u) + direct[c].slope_v * dot(d, tree.axes(e).v));
+    }
+  }
+  return sum;
+}
+
+double irradiance_mean(const Solution& solution, ElementId e) {
+  double sum = 0.0;
+  const auto irradiance = solution.irradiance(e);
+  for (std::size_t c = 0; c < irradiance.size(); ++c) sum += solution.scene().channel_weights[c] * irradiance[c].value;
+  return sum;
+}
+
+/// The share of the flux that elements send out which lands on opaque surfaces, and for the same elements the sum of the form
+/// factors that the links give them.
+struct Measured {
+  double landed = 0.0;
+  double factors = 0.0;
+};
+
+Measured measure(const Solution& solution, const std::vector<ElementId>& elements, const std::vector<double>& flux_before,
+                 const std::vector<double>& factor_sums, std::uint64_t seed) {
+  const Scene& scene = solution.scene();
+  const mesh::ElementTree& tree = solution.tree();
+  const double all = flux_before.back();
+  constexpr std::uint32_t kBatch = 1024;
+  std::vector<Measured> batches(kRays / kBatch);
+  parallel_for(batches.size(), [&](std::size_t b) {
+    const SobolPoints points(mesh::hash(seed, 4711));
+    for (std::uint32_t k = 0; k < kBatch; ++k) {
+      const auto i = static_cast<std::uint32_t>(b) * kBatch + k;
+      const double wanted = all * (i + 0.5) / kRays;
+      const auto found = std::upper_bound(flux_before.begin() + 1, flux_before.end() - 1, wanted);
+      const auto n = static_cast<std::size_t>(found - flux_before.begin()) - 1;
+      const ElementId e = elements[n];
+      const Vector& normal = tree.normal(e);
+      const Point at = tree.sample(e, points.at(i, 0), points.at(i, 1)) + scene.rays->offset_m() * normal;
+      Landing landing;
+      follow(scene, at, cosine_direction(tree.axes(e), points.at(i, 2), points.at(i, 3)), 1.0F,
+             PathRule{PathRule::Part::kAll, -1, false}, landing);
+      batches[b].landed += landing.share / kRays;
+      batches[b].factors += factor_sums[n] / kRays;
+    }
+  });
+  Measured sum;
+  for (const Measured& m : batches) {
+    sum.landed += m.landed;
+    sum.factors += m.factors;
+  }
+  return sum;
+}
+
+/// Sum of |A_r F_rs - A_s F_sr| over the pairs linked both ways, as a share of what they exchange.
+double reciprocity(const Solution& solution, const std::vector<Link>& links) {
+  const mesh::ElementTree& tree = solution.tree();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> exchange;
+  double differs = 0.0;
+  double all = 0.0;
+  for (const Link& link : links) {
+    if (link.source.is_cluster()) continue;
+    const std::uint32_t r = link.receiver.value;
+    const std::uint32_t s = link.source.element().value;
+    const double g = tree.area(link.receiver) * link.factor;
+    const auto other = exchange.find({s, r});
+    if (other == exchange.end()) {
+      exchange[{r, s}] += g;
+    } else {
+      differs += std::abs(g - other->second);
+      all += std::max(g, other->second);
+    }
+  }
+  return all > 0.0 ? differs / all : 0.0;
+}
+
+/// For each element, the sum of the form factors of opaque sources at itself and above.
+std::vector<double> factor_sums(const Solution& solution, const std::vector<Link>& links,
+                                const std::vector<ElementId>& elements) {
+  const mesh::ElementTree& tree = solution.tree();
+  std::vector<Vector> slopes(tree.size());
+  std::vector<double> sums(tree.size(), 0.0);
+  for (const Link& link : links) {
+    if (!link.source.is_cluster() && is_pane(solution, link.source.element())) continue;
+    sums[link.receiver.index()] += link.factor;
+    slopes[link.receiver.index()] = slopes[link.receiver.index()] + Vector{link.slope_u, link.slope_v, 0.0};
+  }
+  std::vector<double> result;
+  for (const ElementId e : elements) {
+    double sum = 0.0;
+    for (ElementId up = e; up.valid(); up = tree.parent(up)) {
+      const Vector d = tree.centroid(e) - tree.centroid(up);
+      sum += sums[up.index()] + slopes[up.index()].x * dot(d, tree.axes(e).u) +
+             slopes[up.index()].y * dot(d, tree.axes(e).v);
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
+}  // namespace
+
+EnergyBalance energy_balance(Solution& solution, const Transport& transport, std::uint64_t seed) {
+  const mesh::ElementTree& tree = solution.tree();
+  const Scene& scene = solution.scene();
+  EnergyBalance balance;
+  const std::vector<ElementId> elements = solution.elements();
+  std::vector<double> flux_before{0.0};
+  double sent_by_panes = 0.0;
+  for (const ElementId e : elements) {
+    const double area = tree.area(e);
+    const double sent = area * solution.radiosity_mean(e);
+    flux_before.push_back(flux_before.back() + std::max(0.0, sent));
+    if (is_pane(solution, e)) {
+      sent_by_panes += sent;
+      continue;
+    }
+    const double own = luminance(scene.side_exitance(tree.face_side(e)), scene.channel_weights);
+    balance.emitted_lm += area * own;
+    balance.received_lm += area * mean_direct(solution, e);
+    balance.absorbed_lm += area * irradiance_mean(solution, e) - (sent - area * own);
+  }
+  const double sent = flux_before.back();
+  const double in = balance.emitted_lm + balance.received_lm;
+  if (sent > 0.0) {
+    const Measured measured =
+        measure(solution, elements, flux_before, factor_sums(solution, transport.links, elements), seed);
+    balance.left_lm = sent * (1.0 - measured.landed) - sent_by_panes;
+    balance.closure = std::abs(measured.factors - measured.landed);
+  } 
+  balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;
+  balance.reciprocity = reciprocity(solution, transport.links);
+  return balance;
+}
+
+}  // namespace clerestory::lighting

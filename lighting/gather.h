@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lighting/solution.h"
+#include "mesh/progress.h"
+
+namespace clerestory::lighting {
+
+/// Illuminance at sensors with its standard uncertainty (k = 1) [lux].
+struct Gathered {
+  std::vector<float> illuminance_lux;
+  std::vector<float> error_lux;
+};
+
+/// Evaluates the solution at sensors: emitting surfaces and point sources straight, openings by solid angle, all else over the
+/// cosine-weighted hemisphere, each path once. Samples until the sampling error of every sensor is under its share of the
+/// accuracy, or a cap on rays is met; what remains stands in error_lux.
+/// @param positions, normals  local coordinates
+Gathered gather(const Solution& solution, std::span<const mesh::Point> positions,
+                std::span<const mesh::Vector> normals, double accuracy, std::uint64_t seed, Progress& progress);
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/importance.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "lighting/light_paths.h"
+#include "lighting/parallel.h"
+#include "lighting/sampling.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+constexpr std::size_t kWalkers = 1024;       ///< sensors that send out walks, spread evenly over all of them
+constexpr std::uint32_t kWalksEach = 32;
+constexpr int kBounces = 5;                  ///< later ones carry under 0.5^5 of the light
+constexpr double kOwnShare = 0.5;            ///< the rest of a root's importance is spread over it by area
+constexpr double kAreaShare = 0.05;          ///< so much importance lies on all surfaces by area, seen from sensors or not
+
+struct Deposit {
+  ElementId node;
+  float weight = 0.0F;
+};
+
+/// What the walks of one sensor left behind.
+struct Walked {
+  std::vector<Deposit> deposits;
+  double sky_lux = 0.0;
+};
+
+/// Takes what a ray sees; panes are passed, their mirror images left out.
+struct LastSurface {
+  const Sky* light;
+  mesh::FaceSide side;
+  Point at;
+  float weight = 0.0F;
+  double sky_lux = 0.0;
+
+  void surface(mesh::FaceSide s, const Point& p, float w, bool) {
+    side = s;
+    at = p;
+    weight = w;
+  }
+  void sky(const Vector& direction, float w) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
+};
+
+Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint64_t seed) {
+  Walked walked;
+  const Scene& scene = solution.scene();
+  const SobolPoints first(seed);
+  for (std::uint32_t i = 0; i < kWalksEach; ++i) {
+    Point at = position;
+    Vector facing = normal;
+    float weight = 1.0F / kWalksEach;
+    for (int bounce = 0; bounce < kBounces; ++bounce) {
+      const SobolPoints points(mesh::hash(seed, static_cast<std::uint64_t>(bounce)));
+      const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
+      LastSurface seen{&scene.sky, {}, {}, 0.0F, 0.0};
+      follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
+      if (bounce == 0) walked.sky_lux += weight * seen.sky_lux;
+      if (seen.weight <= 0.0F) break;
+      weight *= seen.weight;
+      const ElementId node = solution.tree().find(seen.side, seen.at);
+      if (!node.valid()) break;
+      walked.deposits.push_back({node, weight});
+      weight *= luminance(scene.side_reflectance(seen.side), scene.channel_weights);
+      facing = solution.tree().normal(node);
+      at = seen.at + scene.rays->offset_m() * facing;
+    }
+  }
+  return walked;
+}
+
+}  // namespace
+
+Importance::Importance(const Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
+                       std::uint64_t seed) {
+  const mesh::ElementTree& tree = solution.tree();
+  const std::size_t walkers = std::min(kWalkers, positions.size());
+  std::vector<Walked> walked(walkers);
+  parallel_for(walkers, [&](std::size_t i) {
+    const std::size_t sensor = i * positions.size() / walkers;
+    walked[i] = walk(solution, positions[sensor], normals[sensor], mesh::hash(seed, sensor));
+  });
+
+  std::vector<double> own(tree.size(), 0.0);
+  for (const Walked& of_one : walked) {
+    direct_sky_lux_ += of_one.sky_lux / static_cast<double>(walkers);
+    for (const Deposit& d : of_one.deposits) {
+      for (ElementId e = d.node; e.valid(); e = tree.parent(e)) own[e.index()] += d.weight / static_cast<double>(walkers);
+    }
+  }
+  double all_area = 0.0;
+  for (const ElementId root : tree.roots()) all_area += tree.area(root);
+  const double by_area = walkers == 0 ? 1.0 : kAreaShare;
+  importance_.resize(tree.size());
+  std::vector<double> root_density(tree.size(), 0.0);
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const ElementId e(i);
+    const ElementId parent = tree.parent(e);
+    root_density[i] = parent.valid() ? root_density[parent.index()] : own[i] / tree.area(e);
+    importance_[i] = static_cast<float>(kOwnShare * own[i] + (1.0 - kOwnShare) * root_density[i] * tree.area(e) +
+                                        by_area * tree.area(e) / all_area);
+  }
+}
+
+double Importance::of(const mesh::ElementTree& tree, ElementId e) const {
+  if (e.index() < importance_.size()) return importance_[e.index()];
+  ElementId known = e;
+  while (known.index() >= importance_.size()) known = tree.parent(known);
+  return importance_[known.index()] * tree.area(e) / tree.area(known);
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// How much each node matters to the sensors [Smits, Arvo, Salesin 1992]: by how much the mean illuminance of the sensors grows
+/// for one more lm/m² that the whole node sends out, all later reflections included. Estimated by random walks from the sensors.
+class Importance {
+ public:
+  /// @param positions, normals  sensors, local coordinates; may be empty: then every node matters by its area
+  Importance(const Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
+             std::uint64_t seed);
+
+  /// Of a node, whether it existed when the walks were made or is a part of one that did.
+  [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
+  /// Mean illuminance at the sensors straight from the sky, as the walks' first rays saw it [lux].
+  [[nodiscard]] double direct_sky_lux() const { return direct_sky_lux_; }
+
+ private:
+  std::vector<float> importance_;  ///< [nodes at the time of the walks]
+  double direct_sky_lux_ = 0.0;
+};
+
+}  // namespace clerestory::lighting

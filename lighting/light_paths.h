@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "lighting/scene.h"
+#include "mesh/geometry.h"
+
+namespace clerestory::lighting {
+
+/// Which light a ray backwards from a receiver carries, so that each path counts once (science page, section 6).
+struct PathRule {
+  enum class Part {
+    kGather,   ///< all but what leaves through a sampled opening, and emission seen straight
+    kOpening,  ///< what is seen straight through one sampled opening, if that is the first that the ray leaves by
+    kAll,      ///< everything, emission included
+  };
+
+  Part part = Part::kAll;
+  std::int32_t opening = -1;  ///< for kOpening
+  bool mirrors = true;        ///< panes reflect specularly; where the solution stands in for it by diffuse panes: false
+};
+
+/// Weights below this share of the start are dropped.
+inline constexpr float kLeastWeight = 1e-4F;
+inline constexpr int kMostPanes = 16;
+
+/// Follows a ray backwards through panes to what it sees. The visitor gets
+///   surface(FaceSide, const Point&, float weight, bool with_emission)  and  sky(const Vector& direction, float weight).
+/// @param direction  of unit length
+template <class Visitor>
+void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& direction, float weight, PathRule rule,
+            Visitor& visitor, int panes = 0) {
+  using Part = PathRule::Part;
+  const float least = kLeastWeight;
+  for (; panes < kMostPanes && weight > least; ++panes) {
+    const mesh::Hit hit = scene.rays->first_hit({origin, direction});
+    if (!hit.face.valid()) {
+      if (rule.part != Part::kOpening && scene.has_sky()) visitor.sky(direction, weight);
+      return;
+    }
+    const std::size_t f = hit.face.index();
+    const mesh::Point at = origin + hit.distance * direction;
+    if (scene.passable[f] == 0) {
+      if (rule.part != Part::kOpening) {
+        visitor.surface(mesh::FaceSide{hit.face, hit.side}, at, weight, rule.part == Part::kAll);
+      }
+      return;
+    }
+    const mesh::Vector& front = scene.faces.faces[f].frame.w;
+    const mesh::Vector facing = hit.side == mesh::Side::kFront ? front : -front;
+    const double cosine = -dot(direction, facing);
+    float transmittance = 1.0F;
+    if (scene.glazing_of[f] >= 0) {
+      const GlazingCurves& g = scene.glazings[static_cast<std::size_t>(scene.glazing_of[f])];
+      transmittance = mesh::transmittance_at(g.transmittance, static_cast<float>(cosine));
+      const float mirrored = weight * mesh::transmittance_at(g.reflectance, static_cast<float>(cosine));
+      if (rule.mirrors && rule.part != Part::kOpening && mirrored > least) {
+        const mesh::Vector reflected = normalized(direction + (2.0 * cosine) * facing);
+        follow(scene, at + scene.rays->offset_m() * facing, reflected, mirrored,
+               PathRule{Part::kAll, -1, rule.mirrors}, visitor, panes + 1);
+      }
+    }
+    const std::int32_t opening = scene.opening_of[f];
+    const bool leaves = opening >= 0 && dot(direction, scene.openings[static_cast<std::size_t>(opening)].outward) > 0.0;
+    if (leaves && rule.part != Part::kAll) {
+      if (rule.part == Part::kGather || opening != rule.opening) return;
+      rule.part = Part::kAll;
+    }
+    weight *= transmittance;
+    origin = at - scene.rays->offset_m() * facing;
+  }
+}
+
+}  // namespace clerestory::lighting

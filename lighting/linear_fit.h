@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// A value at a point of a plane, by its coordinates from the centre of what is fitted.
+struct PlaneSample {
+  double u = 0.0;
+  double v = 0.0;
+  double value = 0.0;
+};
+
+struct LinearFit {
+  LinearValue line;       ///< about the centre (u, v) = (0, 0)
+  double residual = 0.0;  ///< RMS of what the line misses, per degree of freedom
+};
+
+/// Least-squares plane through samples; falls back to the constant where the samples do not span a plane, or where slopes explain
+/// less than half of the variance (they are noise then).
+inline LinearFit fit_line(std::span<const PlaneSample> samples) {
+  const auto n = static_cast<double>(samples.size());
+  double mu = 0.0;
+  double mv = 0.0;
+  double mean = 0.0;
+  for (const PlaneSample& s : samples) {
+    mu += s.u / n;
+    mv += s.v / n;
+    mean += s.value / n;
+  }
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+  double uf = 0.0;
+  double vf = 0.0;
+  double ff = 0.0;
+  for (const PlaneSample& s : samples) {
+    const double u = s.u - mu;
+    const double v = s.v - mv;
+    const double f = s.value - mean;
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    uf += u * f;
+    vf += v * f;
+    ff += f * f;
+  }
+  LinearFit fit;
+  fit.line.value = static_cast<float>(mean);
+  fit.residual = samples.size() > 1 ? std::sqrt(ff / (n - 1.0)) : 0.0;
+  const double determinant = uu * vv - uv * uv;
+  if (samples.size() < 4 || determinant <= 1e-9 * (uu + vv) * (uu + vv)) return fit;
+  const double gu = (uf * vv - vf * uv) / determinant;
+  const double gv = (vf * uu - uf * uv) / determinant;
+  const double left = std::max(0.0, ff - gu * uf - gv * vf);
+  if (left > 0.5 * ff) return fit;
+  fit.line.value = static_cast<float>(mean - gu * mu - gv * mv);
+  fit.line.slope_u = static_cast<float>(gu);
+  fit.line.slope_v = static_cast<float>(gv);
+  fit.residual = std::sqrt(left / (n - 3.0));
+  return fit;
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lighting/clusters.h"
+#include "lighting/importance.h"
+#include "lighting/links.h"
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// A pair that may exchange light, to be linked or refined. Visibility is what was proven for a pair that holds this one.
+struct LinkCandidate {
+  mesh::ElementId receiver;
+  LinkSource source;
+  mesh::Visibility visibility = mesh::Visibility::kPartial;
+};
+
+/// What became of a candidate.
+struct LinkDecision {
+  enum class Kind { kNone, kLink, kSplitReceiver, kSplitSource };
+
+  Kind kind = Kind::kNone;
+  Link link;
+};
+
+/// The oracle of hierarchical radiosity [Hanrahan, Salzman, Aupperle 1991; Lischinski, Smits, Greenberg 1994]: estimates a link
+/// and decides whether it is good enough, by the error of the transported light and what that matters to the sensors.
+/// Pure functions of geometry and of the solution as it stands; safe to call from many threads.
+class Linker {
+ public:
+  /// @param tolerance_lux  error at the sensors that one link may cause
+  Linker(const Solution& solution, const Clusters& clusters, const Importance& importance, double tolerance_lux,
+         std::uint64_t seed);
+
+  [[nodiscard]] LinkDecision decide(const LinkCandidate& candidate) const;
+  /// Whether a link made at a coarser tolerance, or with less light, still is good enough.
+  [[nodiscard]] bool holds(const Link& link) const;
+  /// How a link that does not hold is refined.
+  [[nodiscard]] LinkDecision::Kind split_of(const Link& link) const;
+
+ private:
+  struct Measured;
+
+  [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;
+  [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
+  [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
+  [[nodiscard]] bool overlaps(mesh::ElementId receiver, std::uint32_t cluster) const;
+
+  const Solution& solution_;
+  const Clusters& clusters_;
+  const Importance& importance_;
+  double tolerance_lux_;
+  std::uint64_t seed_;
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/ids.h"
+#include "mesh/shafts.h"
+
+namespace clerestory::lighting {
+
+/// Where a link's light comes from: a node of the element tree, or a cluster of the cluster tree.
+class LinkSource {
+ public:
+  LinkSource() = default;
+  static LinkSource element(mesh::ElementId e) { return LinkSource(e.value); }
+  static LinkSource cluster(std::uint32_t c) { return LinkSource(c | kCluster); }
+
+  [[nodiscard]] bool is_cluster() const { return (value_ & kCluster) != 0; }
+  [[nodiscard]] mesh::ElementId element() const { return mesh::ElementId(value_); }
+  [[nodiscard]] std::uint32_t cluster() const { return value_ & ~kCluster; }
+  bool operator==(const LinkSource&) const = default;
+
+ private:
+  static constexpr std::uint32_t kCluster = 0x80000000U;
+  explicit LinkSource(std::uint32_t value) : value_(value) {}
+  std::uint32_t value_ = 0;
+};
+
+/// Light from a source to a receiver: irradiance at the receiver's centroid and its slopes, per unit of the source's radiosity.
+struct Link {
+  mesh::ElementId receiver;
+  LinkSource source;
+  float factor = 0.0F;   ///< form factor times visibility, transmittances included
+  float slope_u = 0.0F;  ///< [1/m]
+  float slope_v = 0.0F;
+  float error = 0.0F;    ///< of the factor over the receiver: what the line misses, and the noise of the visibility
+  mesh::Visibility visibility = mesh::Visibility::kPartial;
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/radiosity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "lighting/linker.h"
+#include "lighting/parallel.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Visibility;
+
+namespace {
+
+/// Tolerances of the passes, as multiples of the last.
+constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
+/// No closed scene of reflectance under 0.99 needs as many.
+constexpr std::size_t kMostIterations = 5000;
+
+class Solver {
+ public:
+  Solver(Solution& solution, const Importance& importance, DirectLight direct, double accuracy, std::uint64_t seed)
+      : solution_(solution),
+        importance_(importance),
+        opening_links_(std::move(direct.links)),
+        scale_lux_(direct.scale_lux),
+        accuracy_(accuracy),
+        seed_(seed),
+        clusters_(solution.tree()) {}
+
+  Transport run(double tolerance, Progress& progress) {
+    progress.phase("linking");
+    solution_.push_pull();
+    clusters_.pull(solution_);
+    std::vector<LinkCandidate> start;
+    for (const ElementId root : solution_.tree().roots()) start.push_back({root, source_of(0), Visibility::kPartial});
+    for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
+      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * tolerance * scale_lux_, seed_);
+      if (pass > 0) start = reopen(linker);
+      refine(linker, std::move(start));
+      sort_links();
+      iterate();
+      progress.advance(static_cast<double>(pass + 1) / kPasses.size());
+    }
+    add_errors();
+    return {std::move(all_), std::move(clusters_), iterations_, convergence_};
+  }
+
+ private:
+  [[nodiscard]] LinkSource source_of(std::uint32_t cluster) const {
+    return clusters_.is_leaf(cluster) ? LinkSource::element(clusters_.root(cluster)) : LinkSource::cluster(cluster);
+  }
+
+  /// Takes links out that no longer hold, and gives what they are refined into.
+  std::vector<LinkCandidate> reopen(const Linker& linker) {
+    std::vector<std::uint8_t> good(links_.size());
+    parallel_for(links_.size(), [&](std::size_t i) { good[i] = linker.holds(links_[i]) ? 1 : 0; }, 256);
+    std::vector<LinkCandidate> candidates;
+    std::vector<Link> kept;
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const auto kind = good[i] != 0 ? LinkDecision::Kind::kLink : linker.split_of(links_[i]);
+      if (kind == LinkDecision::Kind::kLink) {
+        kept.push_back(links_[i]);
+      } else {
+        split({links_[i].receiver, links_[i].source, links_[i].visibility}, kind, candidates);
+      }
+    }
+    links_ = std::move(kept);
+    return candidates;
+  }
+
+  void refine(const Linker& linker, std::vector<LinkCandidate> candidates) {
+    while (!candidates.empty()) {
+      std::vector<LinkDecision> decisions(candidates.size());
+      parallel_for(candidates.size(), [&](std::size_t i) { decisions[i] = linker.decide(candidates[i]); }, 16);
+      std::vector<LinkCandidate> next;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const LinkDecision& d = decisions[i];
+        if (d.kind == LinkDecision::Kind::kLink) links_.push_back(d.link);
+        if (d.kind == LinkDecision::Kind::kLink || d.kind == LinkDecision::Kind::kNone) continue;
+        split({candidates[i].receiver, candidates[i].source, d.link.visibility}, d.kind, next);
+      }
+      candidates = std::move(next);
+    }
+  }
+
+  void split(const LinkCandidate& pair, LinkDecision::Kind kind, std::vector<LinkCandidate>& out) {
+    const Visibility proven = pair.visibility == Visibility::kVisible ? Visibility::kVisible : Visibility::kPartial;
+    const mesh::ElementTree& tree = solution_.tree();
+    if (kind == LinkDecision::Kind::kSplitReceiver) {
+      solution_.open(pair.receiver);
+      for (std::size_t k = 0; k < tree.child_count(pair.receiver); ++k) {
+        out.push_back({ElementId(tree.first_child(pair.receiver).index() + k), pair.source, proven});
+      }
+    } else if (pair.source.is_cluster()) {
+      const std::uint32_t c = pair.source.cluster();
+      out.push_back({pair.receiver, source_of(clusters_.left(c)), Visibility::kPartial});
+      out.push_back({pair.receiver, source_of(clusters_.right(c)), Visibility::kPartial});
+    } else {
+      const ElementId s = pair.source.element();
+      solution_.open(s);
+      for (std::size_t k = 0; k < tree.child_count(s); ++k) {
+        out.push_back({pair.receiver, LinkSource::element(ElementId(tree.first_child(s).index() + k)), proven});
+      }
+    }
+  }
+
+  /// Ordinary and openings' links in one list, by receiver.
+  void sort_links() {
+    all_ = links_;
+    all_.insert(all_.end(), opening_links_.begin(), opening_links_.end());
+    std::stable_sort(all_.begin(), all_.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
+    starts_ = starts_of(all_);
+  }
+
+  /// Where the links of each receiver begin; the links are sorted.
+  static std::vector<std::size_t> starts_of(const std::vector<Link>& links) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      if (i == 0 || links[i].receiver != links[i - 1].receiver) starts.push_back(i);
+    }
+    starts.push_back(links.size());
+    return starts;
+  }
+
+  [[nodiscard]] std::span<const float> radiosity_of(LinkSource source) const {
+    return source.is_cluster() ? clusters_.radiosity(source.cluster()) : solution_.radiosity(source.element());
+  }
+
+  void gather() {
+    parallel_for(
+        starts_.size() - 1,
+        [&](std::size_t run) {
+          const auto sums = solution_.gathered(all_[starts_[run]].receiver);
+          std::fill(sums.begin(), sums.end(), LinearValue{});
+          for (std::size_t i = starts_[run]; i < starts_[run + 1]; ++i) {
+            const Link& link = all_[i];
+            const auto b = radiosity_of(link.source);
+            for (std::size_t c = 0; c < sums.size(); ++c) {
+              sums[c].value += link.factor * b[c];
+              sums[c].slope_u += link.slope_u * b[c];
+              sums[c].slope_v += link.slope_v * b[c];
+            }
+          }
+        },
+        64);
+  }
+
+  /// The links' errors at their receivers. Errors of different links are independent.
+  void add_errors() {
+    for (const Link& link : all_) {
+      const double mean = link.source.is_cluster() ? clusters_.radiosity_mean(link.source.cluster())
+                                                   : solution_.radiosity_mean(link.source.element());
+      solution_.add_error(link.receiver, link.error * mean * link.error * mean);
+    }
+  }
+
+  void iterate() {
+    solution_.clear_gathered();
+    double last = 0.0;
+    for (std::size_t i = 0; i < kMostIterations; ++i) {
+      clusters_.pull(solution_);
+      gather();
+      const double change = solution_.push_pull();
+      ++iterations_;
+      // Changes shrink by a factor q a step: what is still to come is the rest of the geometric series.
+      const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
+      convergence_ = change * q / (1.0 - q);
+      last = change;
+      if (convergence_ <= 0.1 * accuracy_) break;
+    }
+    clusters_.pull(solution_);
+  }
+
+  Solution& solution_;
+  const Importance& importance_;
+  std::vector<Link> links_;
+  std::vector<Link> opening_links_;
+  std::vector<Link> all_;
+  std::vector<std::size_t> starts_;
+  double scale_lux_;
+  double accuracy_;
+  std::uint64_t seed_;
+  Clusters clusters_;
+  std::size_t iterations_ = 0;
+  double convergence_ = 0.0;
+};
+
+}  // namespace
+
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance,
+                double accuracy, std::uint64_t seed, Progress& progress) {
+  return Solver(solution, importance, std::move(direct), accuracy, seed).run(tolerance, progress);
+}
+
+}  // namespace clerestory::lighting

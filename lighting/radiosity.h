@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "lighting/clusters.h"
+#include "lighting/direct_light.h"
+#include "lighting/importance.h"
+#include "lighting/links.h"
+#include "lighting/solution.h"
+#include "mesh/progress.h"
+
+namespace clerestory::lighting {
+
+/// What solve() leaves beside the solution.
+struct Transport {
+  std::vector<Link> links;  ///< sorted by receiver; openings' links among them
+  Clusters clusters;
+  std::size_t iterations = 0;
+  double convergence = 0.0;  ///< share of the reflected flux that iterations not made would still change
+};
+
+/// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
+/// gathering with push and pull until what is missing is under a tenth of the tolerance.
+/// @param tolerance  error at the sensors that one link may cause, as a share of their mean illuminance
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance,
+                double accuracy, std::uint64_t seed, Progress& progress);
+
+}  // namespace clerestory::lighting

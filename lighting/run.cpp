@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/run.h"
+
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <memory>
+
+#include "lighting/direct_light.h"
+#include "lighting/energy.h"
+#include "lighting/gather.h"
+#include "lighting/grids.h"
+#include "lighting/importance.h"
+#include "lighting/parallel.h"
+#include "lighting/radiosity.h"
+#include "lighting/scene.h"
+#include "lighting/surface_values.h"
+#include "mesh/element_tree.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+namespace {
+
+/// Error at the sensors that one link, or one node's direct light, may cause, as a share of the accuracy. Many such errors, of
+/// either sign, add up; measured on the validation scenes.
+constexpr double kLinkShare = 0.002;
+constexpr double kDirectShare = 0.004;
+/// Longest edge of the elements that the solver starts from [m]; it splits them on.
+constexpr double kStartSize_m = 1e9;
+
+/// Notes the time of each phase.
+class Clock {
+ public:
+  explicit Clock(std::vector<PhaseTime>& phases) : phases_(phases) {}
+
+  void begin(std::string name, Progress& progress) {
+    end();
+    progress.phase(name);
+    phases_.push_back({std::move(name), cpu_s(), wall_s()});
+    running_ = true;
+  }
+  void end() {
+    if (!running_) return;
+    phases_.back().cpu_s = cpu_s() - phases_.back().cpu_s;
+    phases_.back().wall_s = wall_s() - phases_.back().wall_s;
+    running_ = false;
+  }
+
+ private:
+  static double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+  static double wall_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
+  std::vector<PhaseTime>& phases_;
+  bool running_ = false;
+};
+
+struct AllSensors {
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Vector> normals;
+};
+
+AllSensors place_all(const Study& study, const Scene& scene, Results& results) {
+  AllSensors all;
+  for (const GridRequest& request : study.grids) {
+    GridResult grid;
+    grid.name = request.name;
+    grid.sensors = place_sensors(request, scene.faces, *scene.rays, scene.reachable);
+    all.positions.insert(all.positions.end(), grid.sensors.positions.begin(), grid.sensors.positions.end());
+    all.normals.insert(all.normals.end(), grid.sensors.normals.begin(), grid.sensors.normals.end());
+    results.grids.push_back(std::move(grid));
+  }
+  return all;
+}
+
+void to_model(Sensors& sensors, const mesh::Vector& origin) {
+  for (mesh::Point& p : sensors.positions) p = p + origin;
+  for (auto& cell : sensors.cells) {
+    for (mesh::Point& p : cell) p = p + origin;
+  }
+  for (auto& outline : sensors.outlines) {
+    for (mesh::Point& p : outline) p = p + origin;
+  }
+}
+
+double horizontal_illuminance(const Sky& sky) {
+  return sky.type == Sky::Type::kNone ? 0.0 : sky.horizontal_illuminance_lux;
+}
+
+void evaluate(const Study& study, const Solution& solution, GridResult& grid, std::uint64_t seed, Progress& progress) {
+  const Gathered gathered = gather(solution, grid.sensors.positions, grid.sensors.normals, study.accuracy.target,
+                                   seed, progress);
+  grid.illuminance_lux = gathered.illuminance_lux;
+  grid.error_lux = gathered.error_lux;
+  const double outside = horizontal_illuminance(study.sky);
+  if (study.kind == Study::Kind::kDaylight && outside > 0.0) {
+    for (const float e : grid.illuminance_lux) {
+      grid.daylight_factor_percent.push_back(static_cast<float>(100.0 * e / outside));
+    }
+  }
+  to_model(grid.sensors, solution.scene().faces.origin);
+  grid.metrics = grid_metrics(grid, study.accuracy.target);
+}
+
+void conclude(const Study& study, const Scene& scene, Results& results) {
+  results.clean = scene.clean_report;
+  results.materials = scene.materials;
+  results.assumptions = scene.assumptions;
+  results.notices = scene.notices;
+  results.counts.parts = scene.faces.part_names.size();
+  results.counts.polygons = study.model.polygon_count();
+  results.counts.faces = scene.faces.count();
+  results.counts.openings = scene.openings.size();
+  results.counts.rays = scene.rays->count();
+  results.horizontal_illuminance_lux = horizontal_illuminance(study.sky);
+  results.accuracy_target = study.accuracy.target;
+  results.accuracy_met = true;
+  for (const GridResult& grid : results.grids) {
+    results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);
+    results.accuracy_met = results.accuracy_met && grid.metrics.accuracy_met;
+  }
+}
+
+ThreadLimit& thread_limit() {
+  static ThreadLimit limit;
+  return limit;
+}
+
+}  // namespace
+
+void set_threads(int threads) {
+  thread_limit().reset();
+  if (threads > 0) thread_limit() = limit_threads(static_cast<std::size_t>(threads));
+}
+
+Results run(const Study& study, Progress& progress) {
+  Results results;
+  Clock clock(results.phases);
+  clock.begin("cleaning the model", progress);
+  const Scene scene = build_scene(study);
+
+  clock.begin("placing sensors", progress);
+  const AllSensors sensors = place_all(study, scene, results);
+
+  clock.begin("meshing", progress);
+  mesh::MeshOptions mesh_options;
+  mesh_options.max_size_m = kStartSize_m;
+  const mesh::Triangulation start = mesh::mesh_faces(scene.faces, mesh_options);
+  Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
+
+  clock.begin("direct light", progress);
+  const std::uint64_t seed = mesh::mix(study.accuracy.seed);
+  const Importance importance(solution, sensors.positions, sensors.normals, seed);
+  const double target = study.accuracy.target;
+  DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
+
+  clock.begin("linking", progress);
+  const Transport transport = solve(solution, importance, std::move(direct), kLinkShare * target, target, seed, progress);
+
+  clock.begin("gathering", progress);
+  for (std::size_t g = 0; g < results.grids.size(); ++g) {
+    evaluate(study, solution, results.grids[g], mesh::hash(seed, g), progress);
+  }
+
+  clock.begin("balancing", progress);
+  results.energy = energy_balance(solution, transport, seed);
+  results.surfaces = surface_values(solution);
+  results.counts.elements = solution.elements().size();
+  results.counts.links = transport.links.size();
+  results.counts.iterations = transport.iterations;
+  conclude(study, scene, results);
+  clock.end();
+  return results;
+}
+
+}  // namespace clerestory::lighting

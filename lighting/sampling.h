@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "mesh/geometry.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+/// Direction numbers m_i·2^(32-i) by the recurrence of a primitive polynomial. Source: Joe, Kuo 2008, new-joe-kuo-6.
+constexpr std::array<std::uint32_t, 32> sobol_directions(std::uint32_t degree, std::uint32_t a,
+                                                          std::array<std::uint32_t, 3> m) {
+  std::array<std::uint32_t, 32> v{};
+  for (std::uint32_t i = 0; i < 32; ++i) {
+    if (i < degree) {
+      v[i] = m[i] << (31U - i);
+      continue;
+    }
+    v[i] = v[i - degree] ^ (v[i - degree] >> degree);
+    for (std::uint32_t k = 1; k < degree; ++k) v[i] ^= ((a >> (degree - 1 - k)) & 1U) * v[i - k];
+  }
+  return v;
+}
+
+inline constexpr std::array<std::array<std::uint32_t, 32>, 3> kSobolDirections{
+    sobol_directions(1, 0, {1, 0, 0}), sobol_directions(2, 1, {1, 3, 0}), sobol_directions(3, 1, {1, 3, 1})};
+
+/// Points of Sobol's sequence in up to four dimensions, each dimension scrambled on its own by a hash [Owen 1995; Laine, Karras
+/// 2011]: any 2^k consecutive aligned points are stratified, and sequences of different seeds are independent.
+class SobolPoints {
+ public:
+  explicit SobolPoints(std::uint64_t seed) {
+    for (std::size_t d = 0; d < seeds_.size(); ++d) seeds_[d] = static_cast<std::uint32_t>(mesh::hash(seed, d));
+    order_ = static_cast<std::uint32_t>(mesh::hash(seed, 77));
+  }
+
+  /// Coordinate `dimension` [0 … 3] of point `index`, in [0, 1).
+  [[nodiscard]] double at(std::uint32_t index, std::size_t dimension) const {
+    const std::uint32_t shuffled = scramble(index, order_);
+    return scramble(sobol(shuffled, dimension), seeds_[dimension]) * 0x1p-32;
+  }
+
+ private:
+  static constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+    x = (x << 16U) | (x >> 16U);
+    x = ((x & 0x00FF00FFU) << 8U) | ((x & 0xFF00FF00U) >> 8U);
+    x = ((x & 0x0F0F0F0FU) << 4U) | ((x & 0xF0F0F0F0U) >> 4U);
+    x = ((x & 0x33333333U) << 2U) | ((x & 0xCCCCCCCCU) >> 2U);
+    return ((x & 0x55555555U) << 1U) | ((x & 0xAAAAAAAAU) >> 1U);
+  }
+
+  /// Owen's nested uniform scrambling. Constants: Burley, Practical Hash-based Owen Scrambling, JCGT 2020.
+  static constexpr std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
+    x = reverse_bits(x);
+    x ^= x * 0x3D20ADEAU;
+    x += seed;
+    x *= (seed >> 16U) | 1U;
+    x ^= x * 0x05526C56U;
+    x ^= x * 0x53A22864U;
+    return reverse_bits(x);
+  }
+
+  static constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
+    if (dimension == 0) return reverse_bits(index);
+    std::uint32_t x = 0;
+    for (std::uint32_t bit = 0; index != 0; ++bit, index >>= 1U) {
+      if ((index & 1U) != 0) x ^= kSobolDirections[dimension - 1][bit];
+    }
+    return x;
+  }
+
+  std::array<std::uint32_t, 4> seeds_{};
+  std::uint32_t order_ = 0;
+};
+
+/// A direction of the hemisphere about frame.w, its density cos θ / π, from a point of the unit square.
+/// Source: Shirley, Chiu, A Low Distortion Map Between Disk and Square, 1997.
+inline mesh::Vector cosine_direction(const mesh::Frame& frame, double a, double b) {
+  const double x = 2.0 * a - 1.0;
+  const double y = 2.0 * b - 1.0;
+  double r = 0.0;
+  double phi = 0.0;
+  if (std::abs(x) > std::abs(y)) {
+    r = x;
+    phi = 0.25 * std::numbers::pi * (y / x);
+  } else if (y != 0.0) {
+    r = y;
+    phi = 0.5 * std::numbers::pi - 0.25 * std::numbers::pi * (x / y);
+  }
+  const double u = r * std::cos(phi);
+  const double v = r * std::sin(phi);
+  const double w = std::sqrt(std::max(0.0, 1.0 - r * r));
+  return u * frame.u + v * frame.v + w * frame.w;
+}
+
+}  // namespace clerestory::lighting

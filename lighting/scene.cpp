@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "lighting/openings.h"
+#include "lighting/parallel.h"
+#include "lighting/sampling.h"
+#include "mesh/error.h"
+#include "mesh/hash.h"
+#include "mesh/reachable.h"
+
+namespace clerestory::lighting {
+
+using mesh::FaceId;
+using mesh::FaceSide;
+using mesh::Side;
+using mesh::Vector;
+
+namespace {
+
+/// Default reflectances by orientation, where a material says nothing [Rushmeier 1988, quoted by Cohen and Wallace 1993].
+constexpr float kLooksUp = 0.2F;
+constexpr float kLooksDown = 0.7F;
+constexpr float kVertical = 0.5F;
+constexpr float kOutdoors = 0.2F;
+/// A side stands outdoors when it sees this share of its hemisphere as open sky.
+constexpr double kOutdoorShare = 0.15;
+/// A surface is level when its normal is within 45 degrees of the vertical.
+const double kLevelCosine = std::sqrt(0.5);
+
+constexpr std::uint32_t kProbes = 64;
+
+/// What rays from one side of a face meet first.
+struct Outlook {
+  double sky_share = 0.0;      ///< of rays that meet nothing and go upwards
+  double mean_distance = 0.0;  ///< to what they hit [m]; infinite when something escapes
+};
+
+Outlook outlook(const Scene& scene, FaceSide side) {
+  const mesh::Frame& front = scene.faces.faces[side.face.index()].frame;
+  const Vector normal = side.side == Side::kFront ? front.w : -front.w;
+  const mesh::Frame frame = mesh::frame_around(normal);
+  const auto triangles = scene.faces.shape.of(side.face);
+  const auto& v = scene.faces.shape.vertices;
+  const SobolPoints points(mesh::hash(side.index(), 17));
+  Outlook seen;
+  for (std::uint32_t i = 0; i < kProbes; ++i) {
+    const mesh::Triangle& t = triangles[i % triangles.size()];
+    const double a = std::sqrt(points.at(i, 0));
+    const double b = points.at(i, 1);
+    const mesh::Point& p = v[t.vertices[0]];
+    const mesh::Point at = p + (a * (1.0 - b) * (v[t.vertices[1]] - p) + a * b * (v[t.vertices[2]] - p));
+    const Vector d = cosine_direction(frame, points.at(i, 2), points.at(i, 3));
+    const mesh::Hit hit = scene.rays->first_hit({at + scene.rays->offset_m() * normal, d});
+    if (!hit.face.valid() && d.z > 0.0) seen.sky_share += 1.0 / kProbes;
+    seen.mean_distance += hit.face.valid() ? hit.distance / kProbes : std::numeric_limits<double>::infinity();
+  }
+  return seen;
+}
+
+const Material& material_of(const Study& study, const Scene& scene, std::size_t face) {
+  return study.materials[scene.faces.faces[face].material.index()];
+}
+
+bool is_coloured(const SideMaterial& side) {
+  const auto& r = side.reflectance;
+  return r && r->size() > 1 && std::any_of(r->begin(), r->end(), [&](float x) { return x != r->front(); });
+}
+
+void count_channels(const Study& study, Scene& scene) {
+  const bool colour = std::any_of(study.materials.begin(), study.materials.end(),
+                                  [](const Material& m) { return is_coloured(m.front) || is_coloured(m.back); });
+  scene.channels = colour ? 3 : 1;
+  scene.channel_weights = luminance_weights(scene.channels);
+}
+
+void find_passable(const Study& study, Scene& scene) {
+  const std::size_t count = scene.faces.count();
+  scene.passable.assign(count, 0);
+  scene.glazing_of.assign(count, -1);
+  std::map<std::pair<double, int>, std::int32_t> known;
+  for (std::size_t f = 0; f < count; ++f) {
+    const Material& material = material_of(study, scene, f);
+    if (!material.glazing && !material.opening) continue;
+    scene.passable[f] = 1;
+    if (!material.glazing) continue;
+    const std::pair key{material.glazing->transmittance_normal, material.glazing->panes};
+    const auto [entry, added] = known.try_emplace(key, static_cast<std::int32_t>(scene.glazings.size()));
+    if (added) scene.glazings.push_back(glazing_curves(key.first, key.second));
+    scene.glazing_of[f] = entry->second;
+  }
+}
+
+float default_reflectance(const Scene& scene, FaceSide side) {
+  if (outlook(scene, side).sky_share > kOutdoorShare) return kOutdoors;
+  const double up = scene.faces.faces[side.face.index()].frame.w.z * (side.side == Side::kFront ? 1.0 : -1.0);
+  if (up > kLevelCosine) return kLooksUp;
+  return up < -kLevelCosine ? kLooksDown : kVertical;
+}
+
+void fill_reflectances(const Study& study, Scene& scene) {
+  scene.reflectance.assign(2 * scene.faces.count() * scene.channels, 0.0F);
+  parallel_for(2 * scene.faces.count(), [&](std::size_t s) {
+    const FaceSide side = mesh::face_side(s);
+    const std::size_t f = side.face.index();
+    const Material& material = material_of(study, scene, f);
+    const SideMaterial& mine = side.side == Side::kFront ? material.front : material.back;
+    for (std::size_t c = 0; c < scene.channels; ++c) {
+      float& rho = scene.reflectance[s * scene.channels + c];
+      if (material.glazing) {
+        const auto& curves = scene.glazings[static_cast<std::size_t>(scene.glazing_of[f])];
+        rho = static_cast<float>(curves.hemispherical_reflectance);
+      } else if (material.opening) {
+        rho = 0.0F;
+      } else if (mine.reflectance) {
+        rho = (*mine.reflectance)[mine.reflectance->size() == 1 ? 0 : c];
+      } else {
+        rho = default_reflectance(scene, side);
+      }
+    }
+  });
+  for (const Material& material : study.materials) {
+    for (const SideMaterial* side : {&material.front, &material.back}) {
+      if (!side->reflectance) continue;
+      for (const float rho : *side->reflectance) {
+        if (rho >= 0.0F && rho < 1.0F) continue;
+        throw InputError(study.name, 0, fmt::format("material '{}' has a reflectance of {}", material.name, rho),
+                         "give a value from 0 to below 1");
+      }
+    }
+  }
+}
+
+/// Faces of one material that share an edge's vertices belong to one connected surface; gives a number a face.
+std::vector<std::size_t> connected_surfaces(const Scene& scene) {
+  std::vector<std::size_t> owner(scene.faces.count());
+  std::iota(owner.begin(), owner.end(), std::size_t{0});
+  const auto find = [&](std::size_t f) {
+    while (owner[f] != f) f = owner[f] = owner[owner[f]];
+    return f;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;  // (vertex, material) → face
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    for (const mesh::Triangle& t : scene.faces.shape.of(FaceId(f))) {
+      for (const std::uint32_t v : t.vertices) {
+        const auto [entry, added] = seen.try_emplace({v, scene.faces.faces[f].material.value}, f);
+        if (!added) owner[find(f)] = find(entry->second);
+      }
+    }
+  }
+  for (std::size_t f = 0; f < owner.size(); ++f) owner[f] = find(f);
+  return owner;
+}
+
+/// The front shines; where it looks into a solid and the back into the open, the back does.
+Side shining_side(Scene& scene, FaceId face, Side asked, const std::string& name) {
+  constexpr double kSolidDepth = 0.2;  // metres: lamp housings are flatter than the rooms that they light
+  const double own = outlook(scene, {face, asked}).mean_distance;
+  const double opposite = outlook(scene, {face, mesh::other(asked)}).mean_distance;
+  if (own > kSolidDepth || opposite < 4.0 * own) return asked;
+  const std::string text =
+      fmt::format("a surface of '{}' shines on its back: its front looks into a solid", name);
+  if (std::find(scene.notices.begin(), scene.notices.end(), text) == scene.notices.end()) scene.notices.push_back(text);
+  return mesh::other(asked);
+}
+
+void fill_exitances(const Study& study, Scene& scene) {
+  scene.exitance.assign(2 * scene.faces.count() * scene.channels, 0.0F);
+  const auto surface = connected_surfaces(scene);
+  std::vector<double> area(scene.faces.count(), 0.0);
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) area[surface[f]] += scene.faces.faces[f].area_m2;
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    const Material& material = material_of(study, scene, f);
+    for (const Side asked : {Side::kFront, Side::kBack}) {
+      const auto& emission = (asked == Side::kFront ? material.front : material.back).emission;
+      if (!emission) continue;
+      const double both = material.front.emission && material.back.emission ? 2.0 : 1.0;
+      const double value = emission->flux_lm ? *emission->flux_lm / (both * area[surface[f]])
+                                             : std::numbers::pi * *emission->luminance_cd_m2;
+      const Side side = both > 1.0 ? asked : shining_side(scene, FaceId(f), asked, material.name);
+      const std::size_t first = FaceSide{FaceId(f), side}.index() * scene.channels;
+      std::fill_n(scene.exitance.begin() + static_cast<std::ptrdiff_t>(first), scene.channels,
+                  static_cast<float>(value));
+    }
+  }
+}
+
+void find_reachable(Scene& scene) {
+  std::vector<std::uint8_t> seeds(2 * scene.faces.count(), 0);
+  for (std::size_t s = 0; s < seeds.size(); ++s) seeds[s] = scene.shines(mesh::face_side(s)) ? 1 : 0;
+  std::vector<mesh::Point> points;
+  for (const PointSource& p : scene.point_sources) points.push_back(p.at);
+  scene.reachable = mesh::reachable_sides(scene.faces, *scene.rays, seeds, points);
+  scene.has_elements = scene.reachable;
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    if (scene.passable[f] == 0 || scene.glazing_of[f] >= 0) continue;
+    scene.has_elements[2 * f] = 0;
+    scene.has_elements[2 * f + 1] = 0;
+  }
+}
+
+void say_what_lights(Scene& scene) {
+  const bool lamps = !scene.point_sources.empty() ||
+                     std::any_of(scene.exitance.begin(), scene.exitance.end(), [](float m) { return m > 0.0F; });
+  if (lamps) return;
+  const bool outside = std::any_of(scene.reachable.begin(), scene.reachable.end(), [](std::uint8_t r) { return r != 0; });
+  if (!scene.has_sky()) {
+    scene.notices.emplace_back("there is no lamp and no sky: every value is zero; give a material an emission, or set sky.type");
+  } else if (!outside) {
+    scene.notices.emplace_back(
+        "the model has no lamp, and no opening lets the sky in: every value is zero; name a glazing material in "
+        "[materials], or mark an opening");
+  }
+}
+
+}  // namespace
+
+Scene build_scene(const Study& study) {
+  Scene scene;
+  mesh::CleanSurface surface = mesh::clean(study.model, study.clean);
+  scene.clean_report = surface.report;
+  scene.faces = mesh::build_faces(surface);
+  scene.sky = study.sky;
+  for (PointSource p : study.point_sources) {
+    p.at = p.at - scene.faces.origin;
+    p.aim = normalized(p.aim);
+    scene.point_sources.push_back(p);
+  }
+  count_channels(study, scene);
+  find_passable(study, scene);
+  scene.rays = std::make_unique<mesh::Rays>(scene.faces, scene.passable);
+  scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
+  fill_reflectances(study, scene);
+  fill_exitances(study, scene);
+  find_reachable(scene);
+  find_openings(scene);
+  for (const Material& m : study.materials) scene.materials.push_back({m.name, m.became, m.why});
+  for (const GlazingCurves& g : scene.glazings) {
+    if (g.transmittance.back() > 0.918F) {
+      scene.notices.push_back(fmt::format("a transmittance of {:.3f} is more than one uncoated pane can have: the angular "
+                                          "curve of clear glass is scaled to it",
+                                          g.transmittance.back()));
+    }
+  }
+  scene.assumptions = study.assumptions;
+  say_what_lights(scene);
+  return scene;
+}
+
+}  // namespace clerestory::lighting

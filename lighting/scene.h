@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lighting/glazing.h"
+#include "lighting/results.h"
+#include "lighting/study.h"
+#include "mesh/faces.h"
+#include "mesh/rays.h"
+#include "mesh/shafts.h"
+
+namespace clerestory::lighting {
+
+/// A glazed or open face through which a darker space looks at a brighter one. Its light is sampled at the receiver by solid angle.
+struct Opening {
+  mesh::FaceId face;
+  mesh::Side inside = mesh::Side::kBack;  ///< the side that looks into the darker space
+  mesh::Vector outward;                   ///< unit normal that points into the brighter space
+  std::vector<std::array<mesh::Point, 3>> triangles;
+  double area_m2 = 0.0;
+};
+
+/// Faces, materials, sources, sky and openings, ready for light. Local coordinates [m]; per-side arrays are indexed by
+/// FaceSide::index() and, where they hold values per channel, by side · channels + channel.
+struct Scene {
+  mesh::Faces faces;
+  mesh::CleanReport clean_report;
+  std::size_t channels = 1;
+  std::vector<float> channel_weights;  ///< of each channel in luminance; their sum is 1
+
+  std::vector<float> reflectance;          ///< [sides × channels] diffuse; of glazing its hemispherical reflectance
+  std::vector<float> exitance;             ///< [sides × channels] emitted [lm/m²]
+  std::vector<std::uint8_t> reachable;     ///< [sides] light or the outside can get there
+  std::vector<std::uint8_t> has_elements;  ///< [sides] takes part in the solution
+  std::vector<std::uint8_t> passable;      ///< [faces] glazing or opening
+  std::vector<std::int32_t> glazing_of;    ///< [faces] index into glazings, -1 for the others
+  std::vector<GlazingCurves> glazings;
+  std::vector<Opening> openings;
+  std::vector<std::int32_t> opening_of;    ///< [faces] index into openings, -1 for the others
+
+  Sky sky;
+  std::vector<PointSource> point_sources;  ///< local coordinates
+  std::unique_ptr<mesh::Rays> rays;
+  std::unique_ptr<mesh::Shafts> shafts;
+  std::vector<Results::MaterialUse> materials;
+  std::vector<std::string> assumptions;
+  std::vector<std::string> notices;
+
+  [[nodiscard]] std::span<const float> side_reflectance(mesh::FaceSide s) const {
+    return std::span(reflectance).subspan(s.index() * channels, channels);
+  }
+  [[nodiscard]] std::span<const float> side_exitance(mesh::FaceSide s) const {
+    return std::span(exitance).subspan(s.index() * channels, channels);
+  }
+  [[nodiscard]] bool has_sky() const { return sky.type != Sky::Type::kNone && sky.horizontal_illuminance_lux > 0.0; }
+  [[nodiscard]] bool shines(mesh::FaceSide s) const {
+    for (const float m : side_exitance(s)) {
+      if (m > 0.0F) return true;
+    }
+    return false;
+  }
+};
+
+/// Cleans the model of a study, builds its faces, and finds openings, reachable sides and the materials of every side.
+/// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area.
+Scene build_scene(const Study& study);
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/solution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lighting/parallel.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Vector;
+
+Solution::Solution(const Scene& scene, mesh::ElementTree tree) : scene_(&scene), tree_(std::move(tree)) { grow(); }
+
+void Solution::grow() {
+  const std::size_t n = tree_.size();
+  open_.resize(n, 0);
+  direct_.resize(n * channels());
+  gathered_.resize(n * channels());
+  irradiance_.resize(n * channels());
+  radiosity_.resize(n * channels(), 0.0F);
+  mean_.resize(n, 0.0F);
+  deviation_.resize(n, 0.0F);
+  error2_.resize(n, 0.0F);
+  change_.resize(n, 0.0F);
+}
+
+void Solution::open(ElementId e) {
+  if (open_[e.index()] != 0) return;
+  open_[e.index()] = 1;
+  if (!tree_.has_children(e)) tree_.split(e);
+  grow();
+  // Until the next push the children show what their parent did.
+  for (std::size_t k = 0; k < tree_.child_count(e); ++k) {
+    const std::size_t child = tree_.first_child(e).index() + k;
+    std::copy_n(radiosity_.begin() + static_cast<std::ptrdiff_t>(e.index() * channels()), channels(),
+                radiosity_.begin() + static_cast<std::ptrdiff_t>(child * channels()));
+    mean_[child] = mean_[e.index()];
+  }
+}
+
+ElementId Solution::element_at(mesh::FaceSide side, const mesh::Point& point) const {
+  ElementId e = tree_.find(side, point);
+  if (!e.valid()) return e;
+  // The tree may be deeper than the solution: up to the highest node that is not open.
+  ElementId element = e;
+  for (ElementId up = e; up.valid(); up = tree_.parent(up)) {
+    if (!is_open(up)) element = up;
+  }
+  return element;
+}
+
+std::vector<ElementId> Solution::elements() const {
+  std::vector<ElementId> found;
+  for (std::size_t i = 0; i < tree_.size(); ++i) {
+    const ElementId e(i);
+    if (is_open(e)) continue;
+    const ElementId parent = tree_.parent(e);
+    if (!parent.valid() || is_open(parent)) found.push_back(e);
+  }
+  return found;
+}
+
+float Solution::element_error(ElementId e) const {
+  float sum = 0.0F;
+  for (; e.valid(); e = tree_.parent(e)) sum += error2_[e.index()];
+  return std::sqrt(sum);
+}
+
+float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t channel, bool with_emission) const {
+  const mesh::FaceSide side = tree_.face_side(e);
+  const mesh::Frame& axes = tree_.axes(e);
+  const Vector d = point - tree_.centroid(e);
+  const LinearValue& v = irradiance(e)[channel];
+  const float lux = std::max(0.0F, v.value + v.slope_u * static_cast<float>(dot(d, axes.u)) +
+                                       v.slope_v * static_cast<float>(dot(d, axes.v)));
+  const float emission = with_emission ? scene_->side_exitance(side)[channel] : 0.0F;
+  return emission + scene_->side_reflectance(side)[channel] * lux;
+}
+
+void Solution::push(ElementId e, const ElementId* parent) {
+  const std::size_t n = channels();
+  for (std::size_t c = 0; c < n; ++c) {
+    const LinearValue& own = direct_[e.index() * n + c];
+    const LinearValue& link = gathered_[e.index() * n + c];
+    LinearValue sum{own.value + link.value, own.slope_u + link.slope_u, own.slope_v + link.slope_v};
+    if (parent != nullptr) {
+      const LinearValue& above = irradiance_[parent->index() * n + c];
+      const Vector d = tree_.centroid(e) - tree_.centroid(*parent);
+      sum.value += above.value + above.slope_u * static_cast<float>(dot(d, tree_.axes(e).u)) +
+                   above.slope_v * static_cast<float>(dot(d, tree_.axes(e).v));
+      sum.slope_u += above.slope_u;
+      sum.slope_v += above.slope_v;
+    }
+    irradiance_[e.index() * n + c] = sum;
+  }
+  if (!is_open(e)) return;
+  for (std::size_t k = 0; k < tree_.child_count(e); ++k) push(ElementId(tree_.first_child(e).index() + k), &e);
+}
+
+void Solution::pull(ElementId e) {
+  const std::size_t n = channels();
+  float* radiosity = &radiosity_[e.index() * n];
+  if (!is_open(e)) {
+    const mesh::FaceSide side = tree_.face_side(e);
+    float mean = 0.0F;
+    for (std::size_t c = 0; c < n; ++c) {
+      radiosity[c] = scene_->side_exitance(side)[c] +
+                     scene_->side_reflectance(side)[c] * irradiance_[e.index() * n + c].value;
+      mean += scene_->channel_weights[c] * radiosity[c];
+    }
+    change_[e.index()] = mean - mean_[e.index()];
+    mean_[e.index()] = mean;
+    deviation_[e.index()] = 0.0F;
+    return;
+  }
+  std::fill_n(radiosity, n, 0.0F);
+  double mean = 0.0;
+  double square = 0.0;
+  for (std::size_t k = 0; k < tree_.child_count(e); ++k) {
+    const ElementId child(tree_.first_child(e).index() + k);
+    pull(child);
+    const double share = tree_.area(child) / tree_.area(e);
+    for (std::size_t c = 0; c < n; ++c) {
+      radiosity[c] += static_cast<float>(share) * radiosity_[child.index() * n + c];
+    }
+    const double m = mean_[child.index()];
+    const double d = deviation_[child.index()];
+    mean += share * m;
+    square += share * (m * m + d * d);
+  }
+  mean_[e.index()] = static_cast<float>(mean);
+  deviation_[e.index()] = static_cast<float>(std::sqrt(std::max(0.0, square - mean * mean)));
+}
+
+double Solution::push_pull() {
+  const auto roots = tree_.roots();
+  parallel_for(
+      roots.size(),
+      [&](std::size_t i) {
+        push(roots[i], nullptr);
+        pull(roots[i]);
+      },
+      16);
+  double changed = 0.0;
+  double all = 0.0;
+  for (const ElementId e : elements()) {
+    changed += tree_.area(e) * std::abs(change_[e.index()]);
+    all += tree_.area(e) * std::abs(mean_[e.index()]);
+  }
+  return all > 0.0 ? changed / all : 0.0;
+}
+
+}  // namespace clerestory::lighting

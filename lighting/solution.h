@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lighting/scene.h"
+#include "mesh/element_tree.h"
+
+namespace clerestory::lighting {
+
+/// Irradiance that varies linearly over a planar node: value at the centroid [lux] and slopes along the side's axes [lux/m].
+struct LinearValue {
+  float value = 0.0F;
+  float slope_u = 0.0F;
+  float slope_v = 0.0F;
+};
+
+/// The unknown: irradiance and radiosity of the elements, nodes × channels. Nodes above the open ones carry averages. A node is open
+/// when its children take part; nodes that take part and are not open are the elements of the solution.
+class Solution {
+ public:
+  Solution(const Scene& scene, mesh::ElementTree tree);
+
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const mesh::ElementTree& tree() const { return tree_; }
+  [[nodiscard]] std::size_t channels() const { return scene_->channels; }
+
+  [[nodiscard]] bool is_open(mesh::ElementId e) const { return open_[e.index()] != 0; }
+  /// Makes the children of a node take part, splitting it if it has none. Serial.
+  void open(mesh::ElementId e);
+
+  /// The element that holds a point of a face side; invalid where the side carries none.
+  [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, const mesh::Point& point) const;
+  /// All elements, in order of their ids.
+  [[nodiscard]] std::vector<mesh::ElementId> elements() const;
+
+  /// Light that arrives straight from sky and point sources, given at any node [lux per channel].
+  [[nodiscard]] std::span<LinearValue> direct(mesh::ElementId e) {
+    return std::span(direct_).subspan(e.index() * channels(), channels());
+  }
+  /// Irradiance by links of the node itself, without what its parents hand down.
+  [[nodiscard]] std::span<LinearValue> gathered(mesh::ElementId e) {
+    return std::span(gathered_).subspan(e.index() * channels(), channels());
+  }
+  void clear_gathered() { std::fill(gathered_.begin(), gathered_.end(), LinearValue{}); }
+  /// Irradiance of an element in all [lux]; valid after push_pull().
+  [[nodiscard]] std::span<const LinearValue> irradiance(mesh::ElementId e) const {
+    return std::span(irradiance_).subspan(e.index() * channels(), channels());
+  }
+  /// Mean radiosity of a node [lm/m²]; valid after push_pull().
+  [[nodiscard]] std::span<const float> radiosity(mesh::ElementId e) const {
+    return std::span(radiosity_).subspan(e.index() * channels(), channels());
+  }
+  /// Luminance-weighted mean radiosity and its standard deviation inside a node.
+  [[nodiscard]] float radiosity_mean(mesh::ElementId e) const { return mean_[e.index()]; }
+  [[nodiscard]] float radiosity_deviation(mesh::ElementId e) const { return deviation_[e.index()]; }
+
+  /// Adds to the squared error of what a node receives [lux²]; element_error() sums its own and its parents' [lux].
+  void add_error(mesh::ElementId e, double squared_lux2) { error2_[e.index()] += static_cast<float>(squared_lux2); }
+  [[nodiscard]] float element_error(mesh::ElementId e) const;
+
+  /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
+  [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
+                                   bool with_emission) const;
+
+  /// Hands irradiance down to the elements and radiosity up to the roots. Returns the change of reflected flux that this made,
+  /// as a share of all reflected flux.
+  double push_pull();
+
+ private:
+  void push(mesh::ElementId e, const mesh::ElementId* parent);
+  void pull(mesh::ElementId e);
+  void grow();
+
+  const Scene* scene_;
+  mesh::ElementTree tree_;
+  std::vector<std::uint8_t> open_;
+  std::vector<LinearValue> direct_;
+  std::vector<LinearValue> gathered_;
+  std::vector<LinearValue> irradiance_;
+  std::vector<float> radiosity_;
+  std::vector<float> mean_;
+  std::vector<float> deviation_;
+  std::vector<float> error2_;
+  std::vector<float> change_;  ///< of an element's radiosity in the last push_pull, luminance
+};
+
+}  // namespace clerestory::lighting

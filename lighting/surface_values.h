@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "lighting/results.h"
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// The solution as triangles with cell and point values, in model coordinates. Point values are means of the elements of one region of one
+/// face side that meet there, each by its own line; they never reach across a contact, a crease or a material's edge.
+SurfaceResult surface_values(const Solution& solution);
+
+}  // namespace clerestory::lighting
