@@ -28,6 +28,8 @@ constexpr double kLeastDrop = 0.3;
 constexpr double kFreeStanding = 0.5;
 constexpr double kPartStanding = 0.2;
 constexpr double kNarrow = 1.0;  ///< [m]
+/// What one falls from nearly all around, however deep, is the top of a block and no gallery.
+constexpr double kBlock = 0.9;
 
 enum class Light { kReaches, kDark };
 
@@ -63,11 +65,16 @@ bool goes_on(const GridSite& site, std::uint32_t region, double height_m) {
   return 2 * good >= kFewSamples;
 }
 
-/// The share of the outer outline over which one falls [0 … 1].
-double drop_share(const GridSite& site, const GridSurface& surface) {
+/// Shares of the outer outline over which one falls [0 … 1].
+struct Drops {
+  double any = 0.0;
+  double shallow = 0.0;  ///< less than a storey
+};
+
+Drops drops_around(const GridSite& site, const GridSurface& surface) {
   constexpr double kSpacing = 0.25;
   constexpr double kBeyond = 0.05;
-  double dropping = 0.0;
+  Drops drops;
   double all = 0.0;
   for (const auto& loop : surface.loops) {
     if (signed_area(loop) <= 0.0) continue;
@@ -82,11 +89,12 @@ double drop_share(const GridSite& site, const GridSurface& surface) {
         const Point beyond = surface.to_local(edge + outwards);
         if (!site.clear(surface.to_local(edge - outwards), beyond)) continue;
         const double drop = site.free_way(beyond, -kUp) - kBeyond;
-        if (drop >= kLeastDrop && drop <= kHeadroom) dropping += length / tries;
+        if (drop >= kLeastDrop) drops.any += length / tries;
+        if (drop >= kLeastDrop && drop <= kHeadroom) drops.shallow += length / tries;
       }
     }
   }
-  return all > 0.0 ? dropping / all : 0.0;
+  return all > 0.0 ? Drops{drops.any / all, drops.shallow / all} : Drops{};
 }
 
 /// Whether light reaches a floor less than a man's height below a point of a surface.
@@ -105,9 +113,9 @@ bool hollow_below(const GridSite& site, Point point) {
 }
 
 bool is_furniture(const GridSite& site, const GridSurface& surface, std::span<const std::uint32_t> regions) {
-  const double share = drop_share(site, surface);
-  if (share >= kFreeStanding) return true;
-  if (share < kPartStanding) return false;
+  const Drops drops = drops_around(site, surface);
+  if (drops.shallow >= kFreeStanding || drops.any >= kBlock) return true;
+  if (drops.shallow < kPartStanding) return false;
   if (surface.smaller_width_m() < kNarrow) return true;
   const auto largest = *std::ranges::max_element(regions, {}, [&](std::uint32_t r) { return site.regions.area_m2[r]; });
   const mesh::RegionPoints points(site.faces, site.regions, largest);

@@ -72,7 +72,7 @@ std::vector<GridSurface> surfaces_of(const GridSite& site, const RegionGraph& gr
   if (name == kRooms) {
     auto rooms = room_floors(site, graph, request.height_m);
     if (!rooms.empty()) return rooms;
-    refuse(request, "no room is found: no floor has a roof and and 1.8 m of free height",
+    refuse(request, "no room is found: no floor has a roof and 1.8 m of free height",
            "name the part or material of the floor, " + quoted_list(nearest_names(site.faces, "floor")));
   }
   bool fits = false;
