@@ -27,6 +27,11 @@ std::string_view name_of(std::string_view path) {
   return name;
 }
 
+/// How the header of a table is written: [sky], [[grids]].
+std::string table_header(std::string_view path) {
+  return path.ends_with("[]") ? fmt::format("[[{}]]", path.substr(0, path.size() - 2)) : fmt::format("[{}]", path);
+}
+
 bool contains_word(std::string_view words, std::string_view word) {
   const auto list = split_words(words);
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -137,20 +142,12 @@ bool fits(const StudyKey& key, const StudyValue& value) {
   return false;
 }
 
-bool is_default(const StudyKey& key, const StudyValue& value) {
-  if (key.fallback.empty()) return false;
-  const StudyValue fallback = parse_value(key.fallback, {});
-  return value.is_number()
-             ? value.number == fallback.number
-             : value.kind == fallback.kind && value.boolean == fallback.boolean && value.text == fallback.text;
-}
-
 std::string remedy(const StudyKey& key, const StudyValue& value) {
   if (key.type == ValueType::kTables) return fmt::format("write [[{}]] in double brackets", name_of(key.path));
   if (key.type == ValueType::kWord && is_text(value)) {
     std::vector<std::string> words;
-    for (const std::string_view word : split_words(std::string(key.words) + " " + std::string(key.later)))
-      words.emplace_back(word);
+    for (const std::string_view list : {key.words, key.later})
+      for (const std::string_view word : split_words(list)) words.emplace_back(word);
     if (const auto meant = nearest(value.text, words)) return fmt::format("did you mean \"{}\"?", *meant);
   }
   const std::string_view example = key.fallback.empty() ? key.example : key.fallback;
@@ -209,7 +206,7 @@ class Checker {
     } else if (!elsewhere.empty() && elsewhere.front().empty()) {
       hint = fmt::format("[{}] is a table of its own", member.key);
     } else if (!elsewhere.empty()) {
-      hint = fmt::format("it belongs into [{}]", elsewhere.front());
+      hint = fmt::format("it belongs into {}", table_header(elsewhere.front()));
     } else if (!siblings.empty()) {
       hint = "known are " + list_names(siblings, 12);
     }
@@ -222,6 +219,14 @@ class Checker {
 };
 
 }  // namespace
+
+bool is_default(const StudyKey& key, const StudyValue& value) {
+  if (key.fallback.empty()) return false;
+  const StudyValue fallback = parse_value(key.fallback, {});
+  return value.is_number()
+             ? value.number == fallback.number
+             : value.kind == fallback.kind && value.boolean == fallback.boolean && value.text == fallback.text;
+}
 
 void check_study(const StudyValue& study, lighting::Study::Kind kind) { Checker(kind).check_members(study, "", ""); }
 

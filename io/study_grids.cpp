@@ -53,7 +53,7 @@ void add_surface(const StudyValue& value, const mesh::Model& model, lighting::Gr
     names.erase(std::unique(names.begin(), names.end()), names.end());
     const auto meant = nearest(name, names);
     throw value.error(fmt::format("the model has no part and no material {}", in_quotes(name)),
-                      meant ? fmt::format("did you mean \"{}\"?", *meant) : "it has " + list_names(names));
+                      meant ? fmt::format("did you mean \"{}\"?", printable(*meant)) : "it has " + list_names(names));
   }
   grid.surfaces.push_back(name);
 }

@@ -204,8 +204,9 @@ void MaterialReader::refuse_unmatched() const {
                     [&](const std::string& name) { return name == key || (is_glob(key) && matches_glob(key, name)); });
     if (entry.matched || defined) continue;
     const auto meant = nearest(key, names);
-    throw entry.value->error(fmt::format("no material of the model is named {}", in_quotes(key)),
-                             meant ? fmt::format("did you mean \"{}\"?", *meant) : "it has " + list_names(names));
+    throw entry.value->error(
+        fmt::format("no material of the model is named {}", in_quotes(key)),
+        meant ? fmt::format("did you mean \"{}\"?", printable(*meant)) : "it has " + list_names(names));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/study_schema.h"
 #include "io/study_tree.h"
 #include "io/words.h"
 
@@ -75,29 +76,28 @@ StudyValue& child_of_array(StudyValue& array, const std::string& step, const std
   return array.children[static_cast<std::size_t>(*index)];
 }
 
-StudyValue& child_of_table(StudyValue& table, const std::string& step, bool next_is_number, const std::string& place) {
+StudyValue& child_of_table(StudyValue& table, const std::string& step, const std::string& place) {
   if (StudyValue* child = table.find(step)) return *child;
   table.children.emplace_back();
   StudyValue& child = table.children.back();
   child.key = step;
   child.file = place;
-  if (next_is_number) child.kind = StudyValue::Kind::kArray;
+  if (find_key(step + "[]") != nullptr) child.kind = StudyValue::Kind::kArray;
   return child;
 }
 
 }  // namespace
 
 void apply_override(StudyValue& study, const std::string& setting) {
-  const std::string place = "--set " + setting.substr(0, 200);
+  const std::string place = "--set " + printable(setting);
   const Path path = parse_path(setting, place);
   StudyValue value = setting_value(setting.substr(path.end + 1), place);
   StudyValue* at = &study;
   for (std::size_t i = 0; i < path.steps.size(); ++i) {
-    const bool next_is_number = i + 1 < path.steps.size() && parse_number(path.steps[i + 1]).has_value();
     if (at->kind == StudyValue::Kind::kArray) {
       at = &child_of_array(*at, path.steps[i], place);
     } else if (at->kind == StudyValue::Kind::kTable) {
-      at = &child_of_table(*at, path.steps[i], next_is_number, place);
+      at = &child_of_table(*at, path.steps[i], place);
     } else {
       throw InputError(place, 0, fmt::format("{} is no table", in_quotes(path.steps[i - 1])), "the path ends there");
     }

@@ -51,6 +51,9 @@ std::span<const StudyKey> study_keys();
 /// The key with that path, nullptr if there is none.
 const StudyKey* find_key(std::string_view path);
 
+/// Whether the value is the default of its key.
+bool is_default(const StudyKey& key, const StudyValue& value);
+
 /// Checks all keys, types, ranges and words of a study against the table. For the daylight factor the sky's own keys need not be
 /// supported, since another sky takes its place.
 /// Throws InputError for the first fault, with file, line and the nearest known key.

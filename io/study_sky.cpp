@@ -21,7 +21,7 @@ void make_overcast(StudyValue& table, lighting::Study& study) {
   if (type.text != "cie-overcast") set_aside.push_back("type = \"" + type.text + "\"");
   std::erase_if(table.children, [&](const StudyValue& member) {
     const StudyKey* key = find_key("sky." + member.key);
-    const bool given = !member.file.empty() && !key->supported;
+    const bool given = !key->supported && !is_default(*key, member);
     if (given) set_aside.push_back(member.key);
     return !key->supported;
   });

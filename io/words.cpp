@@ -12,7 +12,7 @@ namespace clerestory::io {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
-constexpr std::size_t kLongestQuote = 80;  // characters of the user's text that a message repeats
+constexpr std::size_t kLongestQuote = 200;  // characters of the user's text that a message repeats
 
 char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -68,12 +68,14 @@ std::optional<double> parse_share(std::string_view text) {
   return per_cent ? std::optional(*per_cent / 100.0) : std::nullopt;
 }
 
-std::string in_quotes(std::string_view text) {
-  std::string result = "'";
+std::string printable(std::string_view text) {
+  std::string result;
   for (const char c : text.substr(0, kLongestQuote)) result += is_control(c) ? '?' : c;
   if (text.size() > kLongestQuote) result += "...";
-  return result + "'";
+  return result;
 }
+
+std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last;
@@ -121,7 +123,7 @@ bool matches_glob(const std::string& pattern, const std::string& name) {
 std::string list_names(std::span<const std::string> names, std::size_t limit) {
   std::string text;
   const std::size_t shown = names.size() <= limit + 1 ? names.size() : limit;  // "and 1 more" says less than the name
-  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + names[i];
+  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + printable(names[i]);
   if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
   return text;
 }

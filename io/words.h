@@ -26,7 +26,10 @@ std::optional<double> parse_number(std::string_view text);
 /// A share as text, "2%" or "0.02"; nothing for any other text.
 std::optional<double> parse_share(std::string_view text);
 
-/// The text between quotation marks, fit for a message of one line: control characters replaced, long text cut.
+/// The text fit for a message of one line: control characters replaced, long text cut.
+std::string printable(std::string_view text);
+
+/// The same between quotation marks.
 std::string in_quotes(std::string_view text);
 
 /// Insertions, deletions, replacements and swaps of neighbours that make b out of a.

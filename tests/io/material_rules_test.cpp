@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/material_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace clerestory::io {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+MtlMaterial mtl(const std::string& name) { return {.name = name, .file = {}, .diffuse = {}, .opacity = {}}; }
+
+TEST(MaterialRules, NamesOfGlassAreKnownInSeveralLanguages) {
+  for (const char* name :
+       {"glass", "Glass_01", "glazing", "Glas", "Isolierglas", "verre clair", "VIDRIO", "WindowGlass", "window pane",
+        "Exterior_Window", "skylight", "Fenster-2", "DoubleGlazing", "safetyglass", "Vetro.001"})
+    EXPECT_TRUE(is_named_like_glass(name)) << name;
+}
+
+TEST(MaterialRules, NamesThatOnlyContainGlassAreNot) {
+  for (const char* name :
+       {"window frame", "WindowSill", "fibreglass", "fiberglass insulation", "glass wool", "Glaswolle", "foamglass",
+        "panel", "mirror glass", "hourglass", "glasfaser", "windowless", "Fensterrahmen", "fenster rahmen", "wall", ""})
+    EXPECT_FALSE(is_named_like_glass(name)) << name;
+}
+
+TEST(MaterialRules, TheNameCountsBeforeTheMtl) {
+  MaterialAssumptions assumed;
+  MtlMaterial black_glass = mtl("glazing");
+  black_glass.diffuse = {0.0, 0.0, 0.0};
+  lighting::Material material;
+  assumed.decide(black_glass, material);
+  ASSERT_TRUE(material.glazing.has_value());
+  EXPECT_EQ(material.glazing->transmittance_normal, 0.70);
+  EXPECT_EQ(material.why, "named like glass");
+}
+
+TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
+  MaterialAssumptions assumed;
+  MtlMaterial red = mtl("brick");
+  red.diffuse = {0.6, 0.3, 0.2};
+  lighting::Material material;
+  assumed.decide(red, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.6F, 0.3F, 0.2F));
+  EXPECT_EQ(material.back.reflectance, material.front.reflectance);
+  red.diffuse = {0.4, 0.4, 0.4};
+  assumed.decide(red, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.4F));
+}
+
+TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
+  MaterialAssumptions assumed;
+  MtlMaterial white = mtl("white");
+  white.diffuse = {1.0, 1.0, 1.0};
+  lighting::Material material;
+  assumed.decide(white, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.95F));
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("over 0.95")));
+}
+
+TEST(MaterialRules, TransparentMaterialsBecomeGlazing) {
+  MaterialAssumptions assumed;
+  MtlMaterial clear = mtl("Material.003");
+  clear.diffuse = {0.8, 0.8, 0.8};
+  clear.opacity = 0.2;
+  lighting::Material material;
+  assumed.decide(clear, material);
+  EXPECT_TRUE(material.glazing.has_value());
+  clear.opacity = 0.7;
+  lighting::Material milky;
+  assumed.decide(clear, milky);
+  EXPECT_FALSE(milky.glazing.has_value());
+}
+
+TEST(MaterialRules, NothingKnownLeavesItToTheOrientation) {
+  MaterialAssumptions assumed;
+  lighting::Material material;
+  assumed.decide(mtl("stuff"), material);
+  EXPECT_FALSE(material.front.reflectance.has_value());
+  EXPECT_FALSE(material.glazing.has_value());
+  MtlMaterial textured = mtl("carpet");
+  textured.diffuse = {0.0, 0.0, 0.0};
+  textured.textured = true;
+  assumed.decide(textured, material);
+  EXPECT_FALSE(material.front.reflectance.has_value());
+  EXPECT_THAT(assumed.sentences(),
+              ElementsAre(HasSubstr("Textures are not read"), HasSubstr("Nothing says what they are made of")));
+}
+
+TEST(MaterialRules, EachAssumptionIsToldOnceForAllMaterials) {
+  MaterialAssumptions assumed;
+  for (const char* name : {"glass 1", "glass 2"}) {
+    lighting::Material material;
+    assumed.decide(mtl(name), material);
+  }
+  EXPECT_THAT(assumed.sentences(), ElementsAre(HasSubstr("materials glass 1, glass 2.")));
+}
+
+}  // namespace
+}  // namespace clerestory::io

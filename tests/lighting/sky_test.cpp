@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/sky.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace clerestory::lighting {
+namespace {
+
+/// Illuminance of a horizontal surface by the sky, midpoint rule in sin γ [lux].
+double horizontal_illuminance(const Sky& sky) {
+  constexpr int kSteps = 10'000;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double sine = (i + 0.5) / kSteps;
+    sum += sky_luminance(sky, {std::sqrt(1.0 - sine * sine), 0.0, sine}) * sine;
+  }
+  return 2.0 * std::numbers::pi * sum / kSteps;
+}
+
+TEST(Sky, TheOvercastSkyGivesItsHorizontalIlluminance) {
+  EXPECT_NEAR(horizontal_illuminance({.type = Sky::Type::kCieOvercast, .horizontal_illuminance_lux = 12'345.0}),
+              12'345.0, 1e-3);
+}
+
+TEST(Sky, TheUniformSkyGivesItsHorizontalIlluminance) {
+  EXPECT_NEAR(horizontal_illuminance({.type = Sky::Type::kUniform, .horizontal_illuminance_lux = 8'000.0}), 8'000.0,
+              1e-3);
+}
+
+TEST(Sky, TheOvercastZenithIsThreeTimesAsBrightAsTheHorizon) {
+  const Sky sky;
+  const double zenith = sky_luminance(sky, {0.0, 0.0, 1.0});
+  EXPECT_NEAR(zenith, 9.0 * 10'000.0 / (7.0 * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(sky_luminance(sky, {0.0, 1.0, 0.0}), zenith / 3.0, 1e-9);
+  EXPECT_NEAR(sky_luminance(sky, {0.0, std::sqrt(0.75), 0.5}), zenith * 2.0 / 3.0, 1e-9);
+}
+
+TEST(Sky, BelowTheHorizonLiesTheGround) {
+  EXPECT_NEAR(sky_luminance({.ground_reflectance = 0.3}, {0.6, 0.0, -0.8}), 0.3 * 10'000.0 / std::numbers::pi, 1e-9);
+}
+
+TEST(Sky, NoSkyIsBlackAndLightsNoGround) {
+  EXPECT_EQ(sky_luminance({.type = Sky::Type::kNone}, {0.0, 0.0, 1.0}), 0.0);
+  EXPECT_EQ(sky_luminance({.type = Sky::Type::kNone}, {0.0, 0.0, -1.0}), 0.0);
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
