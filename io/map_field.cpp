@@ -17,35 +17,42 @@ constexpr double kSlack = 1e-6;
 
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-/// Where a place lies in a convex quadrilateral a, b, c, d, (u, v) in the unit square with a at (0, 0), b at (1, 0);
-/// nothing when it lies outside. Newton's method, which is exact after one step on parallelograms.
-std::optional<Pixel> bilinear_place(Pixel p, const std::array<Pixel, 4>& q) {
-  double u = 0.5;
-  double v = 0.5;
-  for (int step = 0; step < 5; ++step) {
-    const auto along_u = [&](double a, double b, double c, double d) { return (1 - v) * (b - a) + v * (c - d); };
-    const auto along_v = [&](double a, double b, double c, double d) { return (1 - u) * (d - a) + u * (c - b); };
-    const auto at = [&](double a, double b, double c, double d) {
-      return (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * d + u * c);
-    };
-    const double rx = p.x - at(q[0].x, q[1].x, q[2].x, q[3].x);
-    const double ry = p.y - at(q[0].y, q[1].y, q[2].y, q[3].y);
-    const double ux = along_u(q[0].x, q[1].x, q[2].x, q[3].x);
-    const double uy = along_u(q[0].y, q[1].y, q[2].y, q[3].y);
-    const double vx = along_v(q[0].x, q[1].x, q[2].x, q[3].x);
-    const double vy = along_v(q[0].y, q[1].y, q[2].y, q[3].y);
-    const double determinant = ux * vy - uy * vx;
-    if (determinant == 0.0) return std::nullopt;
-    const double du = (rx * vy - ry * vx) / determinant;
-    const double dv = (ux * ry - uy * rx) / determinant;
-    u += du;
-    v += dv;
-    if (std::abs(du) + std::abs(dv) < kSlack) break;
+/// A convex quadrilateral a, b, c, d over the unit square, with a at (0, 0), b at (1, 0), c at (1, 1).
+class BilinearQuad {
+ public:
+  explicit BilinearQuad(const std::array<Pixel, 4>& q)
+      : a_(q[0]),
+        u_{q[1].x - q[0].x, q[1].y - q[0].y},
+        v_{q[3].x - q[0].x, q[3].y - q[0].y},
+        twist_{q[0].x - q[1].x + q[2].x - q[3].x, q[0].y - q[1].y + q[2].y - q[3].y},
+        steps_(std::abs(twist_.x) + std::abs(twist_.y) < kSlack ? 1 : 5) {}
+
+  /// The (u, v) of a place; nothing when it lies outside. Newton's method: one step solves a parallelogram.
+  [[nodiscard]] std::optional<Pixel> place(Pixel p) const {
+    double u = 0.5;
+    double v = 0.5;
+    for (int step = 0; step < steps_; ++step) {
+      const double rx = p.x - (a_.x + u * u_.x + v * v_.x + u * v * twist_.x);
+      const double ry = p.y - (a_.y + u * u_.y + v * v_.y + u * v * twist_.y);
+      const Pixel along_u{u_.x + v * twist_.x, u_.y + v * twist_.y};
+      const Pixel along_v{v_.x + u * twist_.x, v_.y + u * twist_.y};
+      const double determinant = along_u.x * along_v.y - along_u.y * along_v.x;
+      if (determinant == 0.0) return std::nullopt;
+      u += (rx * along_v.y - ry * along_v.x) / determinant;
+      v += (along_u.x * ry - along_u.y * rx) / determinant;
+    }
+    const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
+    if (!in_unit(u) || !in_unit(v)) return std::nullopt;
+    return Pixel{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
   }
-  const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
-  if (!in_unit(u) || !in_unit(v)) return std::nullopt;
-  return Pixel{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
-}
+
+ private:
+  Pixel a_;
+  Pixel u_;
+  Pixel v_;
+  Pixel twist_;
+  int steps_;
+};
 
 /// Values on a raster finer than the picture; kNothing where there are none.
 class FineField {
@@ -62,13 +69,14 @@ class FineField {
     for (Pixel& p : corners) p = {kSamples * p.x, kSamples * p.y};
     const auto [left, right] = std::ranges::minmax(corners, {}, &Pixel::x);
     const auto [top, bottom] = std::ranges::minmax(corners, {}, &Pixel::y);
+    const BilinearQuad quad(corners);
     for (int y = first(top.y); y < std::min(height_, first(bottom.y) + 1); ++y) {
       for (int x = first(left.x); x < std::min(width_, first(right.x) + 1); ++x) {
-        const auto place = bilinear_place({x + 0.5, y + 0.5}, corners);
+        const auto place = quad.place({x + 0.5, y + 0.5});
         if (!place) continue;
-        const double lower = std::lerp(values[0], values[1], place->x);
-        const double upper = std::lerp(values[3], values[2], place->x);
-        values_[index(x, y)] = static_cast<float>(std::lerp(lower, upper, place->y));
+        const double lower = values[0] + place->x * (values[1] - values[0]);
+        const double upper = values[3] + place->x * (values[2] - values[3]);
+        values_[index(x, y)] = static_cast<float>(lower + place->y * (upper - lower));
       }
     }
   }

@@ -75,9 +75,9 @@ std::vector<Figure> figures_of(const lighting::GridResult& grid, std::span<const
 }
 
 std::string accuracy_text(const lighting::GridResult& grid, const lighting::Results& results) {
-  return fmt::format("{} sensors; accuracy {:.2g} % ({:.2g} % asked{})", grid.sensors.count(),
-                     100.0 * grid.metrics.accuracy_reached, 100.0 * results.accuracy_target,
-                     grid.metrics.accuracy_met ? "" : "; NOT REACHED");
+  return fmt::format("{} sensor{}; accuracy {:.2g} % ({:.2g} % asked{})", grid.sensors.count(),
+                     grid.sensors.count() == 1 ? "" : "s", 100.0 * grid.metrics.accuracy_reached,
+                     100.0 * results.accuracy_target, grid.metrics.accuracy_met ? "" : "; NOT REACHED");
 }
 
 }  // namespace

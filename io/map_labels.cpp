@@ -27,6 +27,8 @@ constexpr double kLengthPerLabel = 700.0;
 constexpr double kValueWidth = 60.0;
 constexpr double kValueHeight = 46.0;
 
+constexpr double kLargestDot = 15.0;  // radius [pixels]
+
 using Line = std::vector<Pixel>;
 
 double step_length(const Line& line, std::size_t i) {
@@ -88,8 +90,13 @@ bool covered(const Mask& mask, const PixelRect& box) {
          inside(box.right(), box.bottom());
 }
 
+struct LineLabel {
+  TextImage text;
+  Occupied::Owner owner;  ///< of the lines of this value
+};
+
 /// Labels along one line, each at the first free place to either side of the middle of its stretch.
-void label_line(Raster& raster, Occupied& labels, const Occupied& other_lines, const Line& line, const TextImage& text,
+void label_line(Raster& raster, Occupied& occupied, const Occupied& lines, const Line& line, const LineLabel& label,
                 const Mask& within) {
   const double whole = length(line);
   if (whole < kLengthForLabel) return;
@@ -98,13 +105,12 @@ void label_line(Raster& raster, Occupied& labels, const Occupied& other_lines, c
   for (int k = 0; k < count; ++k) {
     for (const double place : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82}) {
       const Pixel at = point_at(line, (k + place) * stretch);
-      const PixelRect box = text_box(text, at, {Align::kMiddle, Align::kMiddle});
-      if (!labels.free(box.grown(14.0)) || !other_lines.free(box.grown(2.0)) || !covered(within, box.grown(3.0))) {
-        continue;
-      }
-      draw_halo(raster, text, box, kPaper, 3.0);
-      draw_text(raster, text, box, kInk);
-      labels.take(box.grown(4.0));
+      const PixelRect box = text_box(label.text, at, {Align::kMiddle, Align::kMiddle});
+      if (!occupied.free(box.grown(14.0)) || !lines.free(box.grown(2.0), label.owner)) continue;
+      if (!covered(within, box.grown(3.0))) continue;
+      draw_halo(raster, label.text, box, kPaper, 3.0);
+      draw_text(raster, label.text, box, kInk);
+      occupied.take(box.grown(4.0));
       break;
     }
   }
@@ -130,6 +136,11 @@ double spacing_of(const MapPlan& plan) {
 /// distance of printed values change from one step to the next.
 double between_steps(double least, double step) { return step > 1.0 ? (std::ceil(least / step) - 0.5) * step : least; }
 
+double dot_radius(const MapPlan& plan, const MapLayout& layout) {
+  const double spacing = spacing_of(plan) * layout.pixels_per_metre;
+  return spacing > 0.0 ? std::clamp(0.42 * spacing, 1.5, kLargestDot) : kLargestDot;  // 0: all at one place
+}
+
 Rgb ink_on(Rgb ground) { return lightness(ground) < 0.5 ? kPaper : kInk; }
 
 }  // namespace
@@ -140,21 +151,19 @@ void draw_isolines(Raster& raster, Occupied& occupied, const MapMesh& mesh, cons
   for (const double value : scale.isolines) levels.push_back(make_level(mesh, layout, value, within));
   for (const Level& level : levels) draw_line_halo(raster, level, layout, within);
   for (const Level& level : levels) raster.paint(level.mask, kInk, 0.9);
-  Occupied labels = occupied;
-  for (const Level& level : levels) {
-    Occupied other_lines(layout.width, layout.height);
-    for (const Level& other : levels) {
-      if (&other != &level) other_lines.take(other.mask);
-    }
-    const TextImage text = render_text(knot_label(level.value), kLineLabel);
-    for (const Line& line : level.lines) label_line(raster, labels, other_lines, line, text, within);
+  Occupied lines(layout.width, layout.height);
+  for (std::size_t i = 0; i < levels.size(); ++i) lines.take(levels[i].mask, static_cast<Occupied::Owner>(i + 1));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const LineLabel label{render_text(knot_label(levels[i].value), kLineLabel), static_cast<Occupied::Owner>(i + 1)};
+    for (const Line& line : levels[i].lines) label_line(raster, occupied, lines, line, label, within);
   }
-  occupied = std::move(labels);
   for (const Level& level : levels) occupied.take(level.mask);
 }
 
 void draw_values(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,
                  std::span<const float> values) {
+  const bool beside = plan.cells.empty();  // a dot stands at the place itself
+  const double aside = beside ? dot_radius(plan, layout) + 5.0 : 0.0;
   const double spacing = spacing_of(plan) * layout.pixels_per_metre;
   const double width = between_steps(kValueWidth, spacing);
   const double height = between_steps(kValueHeight, spacing);
@@ -167,17 +176,20 @@ void draw_values(Raster& raster, Occupied& occupied, const MapPlan& plan, const 
     if (!chosen.free(cell)) continue;
     chosen.take(cell);
     const std::string number = map_number(static_cast<double>(values[i]));
-    const TextImage& text = texts.try_emplace(number, render_text(number, kValueLabel)).first->second;
-    const PixelRect box = text_box(text, at, {Align::kMiddle, Align::kMiddle});
+    auto found = texts.find(number);
+    if (found == texts.end()) found = texts.emplace(number, render_text(number, kValueLabel)).first;
+    const TextImage& text = found->second;
+    const PixelRect box =
+        text_box(text, {at.x + aside, at.y}, {beside ? Align::kStart : Align::kMiddle, Align::kMiddle});
     if (!occupied.free(box.grown(2.0))) continue;
-    draw_text(raster, text, box, ink_on(raster.at(static_cast<int>(at.x), static_cast<int>(at.y))));
+    draw_text(raster, text, box, ink_on(raster.at(static_cast<int>(box.x), static_cast<int>(at.y))));
     occupied.take(box);
   }
 }
 
 void draw_dots(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,
                std::span<const float> values, const MapScale& scale) {
-  const double radius = std::clamp(0.42 * spacing_of(plan) * layout.pixels_per_metre, 1.5, 15.0);
+  const double radius = dot_radius(plan, layout);
   for (std::size_t i = 0; i < plan.positions.size(); ++i) {
     const Pixel at = layout.pixel(plan.positions[i]);
     const int reach = static_cast<int>(std::ceil(radius)) + 2;

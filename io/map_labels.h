@@ -15,7 +15,8 @@ namespace clerestory::io {
 void draw_isolines(Raster& raster, Occupied& occupied, const MapMesh& mesh, const MapLayout& layout,
                    const MapScale& scale, const Mask& within);
 
-/// Prints the values of sensors where there is room, a regular choice of them where they are dense.
+/// Prints the values of sensors where there is room, at their places or beside their dots; a regular choice of them where
+/// they are dense.
 void draw_values(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,
                  std::span<const float> values);
 

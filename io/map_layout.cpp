@@ -62,17 +62,17 @@ MapLayout layout_map(const MapPlan& plan) {
 }
 
 Occupied::Occupied(int width, int height)
-    : width_(width), height_(height), taken_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    : width_(width), height_(height), owners_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-bool Occupied::free(const PixelRect& rectangle) const {
+bool Occupied::free(const PixelRect& rectangle, Owner except) const {
   const int left = static_cast<int>(std::floor(rectangle.x));
   const int top = static_cast<int>(std::floor(rectangle.y));
   const int right = static_cast<int>(std::ceil(rectangle.right()));
   const int bottom = static_cast<int>(std::ceil(rectangle.bottom()));
   if (left < 0 || top < 0 || right > width_ || bottom > height_) return false;
   for (int y = top; y < bottom; ++y) {
-    const auto row = taken_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
-    if (std::any_of(row + left, row + right, [](std::uint8_t t) { return t != 0; })) return false;
+    const auto row = owners_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
+    if (std::any_of(row + left, row + right, [=](Owner o) { return o != kNobody && o != except; })) return false;
   }
   return true;
 }
@@ -82,16 +82,17 @@ void Occupied::take(const PixelRect& rectangle) {
   const int right = std::min(width_, static_cast<int>(std::ceil(rectangle.right())));
   const int bottom = std::min(height_, static_cast<int>(std::ceil(rectangle.bottom())));
   for (int y = std::max(0, static_cast<int>(std::floor(rectangle.y))); y < bottom; ++y) {
-    const auto row = taken_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
-    if (left < right) std::fill(row + left, row + right, std::uint8_t{1});
+    const auto row = owners_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
+    if (left < right) std::fill(row + left, row + right, kSomebody);
   }
 }
 
-void Occupied::take(const Mask& mask) {
-  std::size_t i = 0;
+void Occupied::take(const Mask& mask, Owner owner) {
   for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x, ++i) {
-      if (mask.at(x, y) > 0.0F) taken_[i] = 1;
+    auto here = owners_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
+    for (const float coverage : mask.row(y)) {
+      if (coverage > 0.0F) *here = *here == kNobody || *here == owner ? owner : kSomebody;
+      ++here;
     }
   }
 }

@@ -30,20 +30,25 @@ struct MapLayout {
 
 MapLayout layout_map(const MapPlan& plan);
 
-/// Which parts of a picture are taken, so that labels keep clear of each other and of lines.
+/// Which parts of a picture are taken, and by whom, so that labels keep clear of each other and of lines.
 class Occupied {
  public:
+  using Owner = std::uint8_t;
+  static constexpr Owner kNobody = 0;
+  static constexpr Owner kSomebody = 255;
+
   Occupied(int width, int height);
 
-  /// Whether a rectangle lies within the picture and holds nothing yet.
-  [[nodiscard]] bool free(const PixelRect& rectangle) const;
+  /// Whether a rectangle lies within the picture and holds nothing yet but what `except` took for itself alone.
+  [[nodiscard]] bool free(const PixelRect& rectangle, Owner except = kNobody) const;
   void take(const PixelRect& rectangle);
-  void take(const Mask& mask);
+  /// What two owners take belongs to kSomebody.
+  void take(const Mask& mask, Owner owner = kSomebody);
 
  private:
   int width_;
   int height_;
-  std::vector<std::uint8_t> taken_;
+  std::vector<Owner> owners_;
 };
 
 }  // namespace clerestory::io

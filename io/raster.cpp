@@ -52,12 +52,14 @@ void add_span(std::vector<float>& row, double from, double to, double weight) {
 
 double lightness(Rgb colour) { return (0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b) / 255.0; }
 
-Mask::Mask(int width, int height)
-    : width_(width), height_(height), coverage_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+Mask::Mask(int width, int height) : width_(width), height_(height), rows_(static_cast<std::size_t>(height)) {}
 
 void Mask::add(int x, int y, float coverage) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-  float& here = coverage_[index(x, y)];
+  if (coverage <= 0.0F) return;
+  std::vector<float>& row = rows_[static_cast<std::size_t>(y)];
+  if (row.empty()) row.resize(static_cast<std::size_t>(width_));
+  float& here = row[static_cast<std::size_t>(x)];
   here = std::max(here, coverage);
 }
 
@@ -105,13 +107,17 @@ void Mask::add_polygon(std::span<const Pixel> loop) {
     for (int s = 0; s < kScanlinesPerPixel; ++s) add_scanline(loop, y + (s + 0.5) / kScanlinesPerPixel, row, crossings);
     for (int x = 0; x < width_; ++x) {
       const float coverage = row[static_cast<std::size_t>(x)];
-      if (coverage > 0.0F) add(x, y, std::min(coverage, 1.0F));
+      add(x, y, std::min(coverage, 1.0F));
     }
   }
 }
 
 void Mask::keep_inside(const Mask& other) {
-  for (std::size_t i = 0; i < coverage_.size(); ++i) coverage_[i] *= other.coverage_[i];
+  for (std::size_t y = 0; y < rows_.size(); ++y) {
+    const std::vector<float>& kept = other.rows_[y];
+    if (kept.empty()) rows_[y].clear();
+    for (std::size_t x = 0; x < rows_[y].size(); ++x) rows_[y][x] *= kept[x];
+  }
 }
 
 Raster::Raster(int width, int height, Rgb background)
@@ -123,7 +129,7 @@ void Raster::blend(int x, int y, Rgb colour, double coverage) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_ || coverage <= 0.0) return;
   const double share = std::min(coverage, 1.0);
   const auto mix = [share](std::uint8_t below, std::uint8_t above) {
-    return static_cast<std::uint8_t>(std::lround((1.0 - share) * below + share * above));
+    return static_cast<std::uint8_t>((1.0 - share) * below + share * above + 0.5);  // rounded
   };
   Rgb& here = pixels_[index(x, y)];
   here = {mix(here.r, colour.r), mix(here.g, colour.g), mix(here.b, colour.b)};
@@ -131,10 +137,8 @@ void Raster::blend(int x, int y, Rgb colour, double coverage) {
 
 void Raster::paint(const Mask& mask, Rgb colour, double opacity) {
   for (int y = 0; y < std::min(height_, mask.height()); ++y) {
-    for (int x = 0; x < std::min(width_, mask.width()); ++x) {
-      const double coverage = static_cast<double>(mask.at(x, y));
-      if (coverage > 0.0) blend(x, y, colour, coverage * opacity);
-    }
+    int x = 0;
+    for (const float coverage : mask.row(y)) blend(x++, y, colour, static_cast<double>(coverage) * opacity);
   }
 }
 

@@ -46,7 +46,12 @@ class Mask {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  [[nodiscard]] float at(int x, int y) const { return coverage_[index(x, y)]; }
+  [[nodiscard]] float at(int x, int y) const {
+    const std::vector<float>& row = rows_[static_cast<std::size_t>(y)];
+    return row.empty() ? 0.0F : row[static_cast<std::size_t>(x)];
+  }
+  /// The coverage of a row's pixels, or nothing where no shape comes near it.
+  [[nodiscard]] std::span<const float> row(int y) const { return rows_[static_cast<std::size_t>(y)]; }
 
   /// A line of the given width [pixels] with round joints and ends.
   void add_line(std::span<const Pixel> line, bool closed, double line_width);
@@ -60,15 +65,12 @@ class Mask {
   void keep_inside(const Mask& other);
 
  private:
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-  }
   void add_segment(Pixel a, Pixel b, double line_width);
   void add_scanline(std::span<const Pixel> loop, double y, std::vector<float>& row, std::vector<double>& crossings);
 
   int width_;
   int height_;
-  std::vector<float> coverage_;
+  std::vector<std::vector<float>> rows_;  ///< empty until touched: most shapes are small
 };
 
 /// A picture in memory, painted in layers.

@@ -14,7 +14,7 @@ struct TextStyle {
 };
 
 /// A line of text, rendered: how much of each pixel is ink [0 … 255], row by row from the top.
-/// All texts of one style have the same height, so that their baselines meet where their boxes do.
+/// Texts of one style have the same height, but for accents on capitals, so that their baselines meet where their boxes do.
 struct TextImage {
   int width = 0;
   int height = 0;
