@@ -26,7 +26,7 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
   if (written && closed) return;
   if (written) error = errno;
   std::error_code ignored;
-  std::filesystem::remove(file, ignored);
+  if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);  // never a device
   fail(file, error);
 }
 
