@@ -230,6 +230,22 @@ TEST(Grid, BedOfTwoSquareMetresIsNoRoom) {
   EXPECT_EQ(s.count(), 12U * 8U);
 }
 
+TEST(Grid, TopOfAHighBlockIsNoRoom) {
+  mesh::Model model = support::box_room(6, 6, 6);
+  add_box(model, {2, 2, 0}, {4, 4, 3}, {"concrete", "block"});
+  const Sensors s = Site(model, {{1, 1, 5}}).place(on("rooms", 0.5));
+  for (const Point& p : s.positions) EXPECT_NEAR(p.z, 0.8, 1e-9);
+  EXPECT_EQ(s.count(), 144U - 16U);
+}
+
+TEST(Grid, GalleryOnAWallIsARoom) {
+  mesh::Model model = support::box_room(6, 6, 6);
+  add_box(model, {0, 0, 3}, {6, 2, 3.2}, {"concrete", "gallery"});
+  const Sensors s = Site(model, {{3, 4, 5}}).place(on("rooms", 0.5));
+  EXPECT_EQ(s.outlines.size(), 2U);
+  EXPECT_EQ(s.count(), 144U + 48U);
+}
+
 TEST(Grid, LowCupboardAtTheWallIsPartOfTheRoom) {
   mesh::Model model = support::box_room(6, 4, 3);
   add_box(model, {0, 0, 0}, {0.5, 4, 0.7}, {"wood", "cupboard"});
