@@ -121,6 +121,9 @@ void conclude(const Study& study, const Scene& scene, Results& results) {
   for (const GridResult& grid : results.grids) {
     results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);
     results.accuracy_met = results.accuracy_met && grid.metrics.accuracy_met;
+    if (grid.metrics.maximum_lux == 0.0)
+      results.notices.push_back("grid '" + grid.name + "': no light reaches it, every value is zero; where light should " +
+                                "come in, name a glazing material or mark an opening");
   }
 }
 

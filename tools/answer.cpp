@@ -69,8 +69,9 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
     answer.results = lighting::run(study, progress);
     answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
     return answer;
-  } catch (const InputError&) {
-    throw;
+  } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
+    throw InputError(options.study.string(), 0, error.problem(), error.hint());
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -81,7 +81,8 @@ std::string left_out(const std::vector<lighting::GridResult>& grids) {
   std::string text;
   for (const auto& grid : grids)
     if (grid.sensors.left_out > 0)
-      text += fmt::format("{}: {} sensors inside solids are left out\n", grid.name, grid.sensors.left_out);
+      text += fmt::format("{}: {} left out inside solids\n", grid.name,
+                          grid.sensors.left_out == 1 ? "1 sensor" : fmt::format("{} sensors", grid.sensors.left_out));
   return text;
 }
 
