@@ -20,7 +20,7 @@ struct GridSite {
   GridSite(const mesh::Faces& faces, const mesh::Rays& rays, const std::vector<std::uint8_t>& reachable_sides);
 
   [[nodiscard]] bool reaches(std::uint32_t triangle, mesh::Side side) const {
-    return reachable[2 * triangle + static_cast<std::size_t>(side)] != 0;
+    return reachable[2 * std::size_t{triangle} + static_cast<std::size_t>(side)] != 0;
   }
   [[nodiscard]] bool region_reachable(std::uint32_t region, mesh::Side side) const {
     const auto triangles = regions.of(region);

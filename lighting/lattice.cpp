@@ -30,6 +30,7 @@ struct Steps {
 /// @param guess  about the length of a step [m]
 std::optional<Steps> whole_steps(const std::vector<Point>& points, const Vector& along, double guess) {
   std::vector<double> way;
+  way.reserve(points.size());
   for (const Point& p : points) way.push_back(mesh::dot(p - points.front(), along));
   const auto [low, high] = std::ranges::minmax(way);
   const double count = std::round((high - low) / guess);
@@ -88,6 +89,7 @@ std::vector<std::array<Point, 4>> lattice_cells(const std::vector<Point>& points
   const Vector hu = 0.5 * a->step * u;
   const Vector hv = 0.5 * b->step * v;
   std::vector<std::array<Point, 4>> cells;
+  cells.reserve(points.size());
   for (const Point& p : points) cells.push_back({p - hu - hv, p + hu - hv, p + hu + hv, p - hu + hv});
   return cells;
 }
