@@ -52,6 +52,11 @@ std::string fitted(std::string text, TextStyle style, double width) {
   return text + "…";
 }
 
+/// Three significant digits: one more than on the map, as befits a mean.
+std::string figure_number(double value) {
+  return std::abs(value) < 999.5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 struct Figure {
   std::string label;
   std::string value;
@@ -60,7 +65,7 @@ struct Figure {
 std::vector<Figure> figures_of(const lighting::GridResult& grid, std::span<const float> values, MapQuantity quantity) {
   const lighting::GridMetrics& m = grid.metrics;
   const bool factor = quantity == MapQuantity::kDaylightFactor;
-  const auto with_unit = [factor](double value) { return map_number(value) + (factor ? " %" : " lx"); };
+  const auto with_unit = [factor](double value) { return figure_number(value) + (factor ? " %" : " lx"); };
   const auto [low, high] = std::ranges::minmax_element(values);
   std::vector<Figure> figures{{"mean", with_unit(factor ? m.mean_df_percent : m.mean_lux)},
                               {"median", with_unit(factor ? m.median_df_percent : m.median_lux)},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 
@@ -21,6 +22,7 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include "io/whole_file.h"
@@ -88,6 +90,14 @@ class PointPool {
   vtkPoints* points_;
   std::unordered_map<Key, vtkIdType, Hash> ids_;
 };
+
+/// The numbers of the sensors, as in the table of the grid.
+std::vector<std::uint32_t> ids_of(const lighting::Sensors& sensors) {
+  if (!sensors.ids.empty()) return sensors.ids;
+  std::vector<std::uint32_t> ids(sensors.count());
+  std::iota(ids.begin(), ids.end(), 0U);
+  return ids;
+}
 
 void add_sensor_cells(vtkPolyData* data, const lighting::Sensors& sensors) {
   vtkNew<vtkPoints> points;
@@ -213,9 +223,7 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
   add_sensor_cells(data, grid.sensors);
   std::vector<std::string> units{"illuminance_lux: lx", "error_lux: lx, standard uncertainty (k = 1)"};
   vtkCellData* const cells = data->GetCellData();
-  std::vector<int> ids(grid.sensors.count());
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
-  cells->AddArray(numbers<vtkIntArray>("id", ids));
+  cells->AddArray(numbers<vtkUnsignedIntArray>("id", ids_of(grid.sensors)));
   cells->AddArray(vectors("normal", grid.sensors.normals));
   cells->AddArray(numbers<vtkFloatArray>("illuminance_lux", grid.illuminance_lux));
   cells->AddArray(numbers<vtkFloatArray>("error_lux", grid.error_lux));
