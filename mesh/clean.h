@@ -15,7 +15,7 @@ struct CleanOptions {
   enum class Repair { kAuto, kReport, kOff };
 
   Repair repair = Repair::kAuto;
-  /// Vertices closer than this become one, vertices closer than this to an edge become corners of it [m].
+  /// Vertices closer than this become one, vertices closer than 0.85 of this to an edge become corners of it [m].
   /// 0.02 mm: twenty times under the gap of 0.1 to 1 mm that models leave on purpose, and well over the rounding of
   /// files that print six decimals.
   double weld_tolerance_m = 2e-5;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -47,19 +46,16 @@ PlanarMesh in_plane(const Faces& faces, FaceId id) {
   return mesh;
 }
 
-/// The face's mesh with size and angle bounds; where details are too fine for the angle bound (a frame of 6 mm round a wall), with the
-/// size bound alone, or as it is.
+/// The face's mesh within the bounds; as it is where details are too fine for them (a frame of 6 mm round a wall of 10 m: every
+/// edge would be split to that width, whatever the angle bound).
 PlanarMesh refined(const PlanarMesh& coarse, double area, const MeshOptions& options) {
   RefineOptions refinement;
   refinement.max_edge = options.max_size_m;
+  refinement.min_angle_deg = options.min_angle_deg;
   const double elements = area / (options.max_size_m * options.max_size_m);
   refinement.max_vertices =
       1000 + kVerticesPerInput * coarse.points.size() + static_cast<std::size_t>(kVerticesPerElement * elements);
-  for (const double min_angle : {options.min_angle_deg, 0.0}) {
-    refinement.min_angle_deg = min_angle;
-    if (std::optional<PlanarMesh> mesh = refine(coarse, refinement)) return *std::move(mesh);
-  }
-  return coarse;
+  return refine(coarse, refinement).value_or(coarse);
 }
 
 std::array<double, 3> angles_deg(const PlanarMesh& mesh, const PlanarTriangle& t) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "mesh/triangulate.h"
@@ -12,12 +13,60 @@ namespace clerestory::mesh {
 
 namespace {
 
-double deviation(const Soup& soup, const SoupPolygon& polygon, const Plane& plane) {
+/// Marks the corners between two others that lie farther than the tolerance from the chord [Douglas, Peucker 1973].
+void mark_bends(const Soup& soup, const std::vector<std::uint32_t>& loop, std::size_t first, std::size_t last,
+                double tolerance, std::vector<bool>& bends) {
+  const Point& a = soup.points[loop[first]];
+  const Vector chord = normalized(soup.points[loop[last % loop.size()]] - a);
+  std::size_t farthest = first;
+  double most = tolerance;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const Vector offset = soup.points[loop[i]] - a;
+    const double distance = norm(offset - dot(offset, chord) * chord);
+    if (distance <= most) continue;
+    most = distance;
+    farthest = i;
+  }
+  if (farthest == first) return;
+  bends[farthest] = true;
+  mark_bends(soup, loop, first, farthest, tolerance, bends);
+  mark_bends(soup, loop, farthest, last, tolerance, bends);
+}
+
+/// The loop without the corners that only divide its edges.
+std::vector<std::uint32_t> bends_of(const Soup& soup, std::vector<std::uint32_t> loop, double tolerance) {
+  const auto farthest_from = [&](const Point& p) {
+    return std::max_element(loop.begin(), loop.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return norm(soup.points[a] - p) < norm(soup.points[b] - p);
+    });
+  };
+  // Two corners that are bends for sure.
+  std::rotate(loop.begin(), farthest_from(soup.points[loop[0]]), loop.end());
+  const auto opposite = static_cast<std::size_t>(farthest_from(soup.points[loop[0]]) - loop.begin());
+  std::vector<bool> bends(loop.size(), false);
+  bends[0] = bends[opposite] = true;
+  mark_bends(soup, loop, 0, opposite, tolerance, bends);
+  mark_bends(soup, loop, opposite, loop.size(), tolerance, bends);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (bends[i]) kept.push_back(loop[i]);
+  }
+  return kept;
+}
+
+/// Whether a corner lies farther than the tolerance from the mean plane. Corners that only divide an edge do not count: they were set
+/// into it with the tolerance of T-junctions, and a triangle with such corners is planar for good.
+bool is_warped(const Soup& soup, const SoupPolygon& polygon, double tolerance) {
+  SoupPolygon bare;
+  for (const std::vector<std::uint32_t>& loop : polygon.loops) bare.loops.push_back(bends_of(soup, loop, tolerance));
+  if (bare.loops.size() == 1 && bare.loops[0].size() <= 3) return false;
+  const std::optional<Plane> plane = plane_of(soup.points, bare, 0.0);
+  if (!plane) return false;
   double largest = 0.0;
-  for_each_edge(polygon, [&](std::uint32_t corner, std::uint32_t) {
-    largest = std::max(largest, std::abs(plane.distance(soup.points[corner])));
+  for_each_edge(bare, [&](std::uint32_t corner, std::uint32_t) {
+    largest = std::max(largest, std::abs(plane->distance(soup.points[corner])));
   });
-  return largest;
+  return largest > tolerance;
 }
 
 /// The corners of a polygon in its plane, with the vertex that each is.
@@ -71,9 +120,10 @@ bool triangulate_nonplanar(Soup& soup, double tolerance, DefectList& defects) {
   result.reserve(soup.polygons.size());
   bool changed = false;
   for (SoupPolygon& polygon : soup.polygons) {
-    const auto plane = plane_of(soup.points, polygon, 0.0);
     std::vector<SoupPolygon> triangles;
-    if (plane && deviation(soup, polygon, *plane) > tolerance) triangles = triangles_of(soup, polygon, *plane);
+    if (is_warped(soup, polygon, tolerance)) {
+      if (const auto plane = plane_of(soup.points, polygon, 0.0)) triangles = triangles_of(soup, polygon, *plane);
+    }
     if (triangles.empty()) {
       result.push_back(std::move(polygon));
       continue;

@@ -130,7 +130,8 @@ void append_simple(const Soup& soup, SoupPolygon polygon, DefectList& defects, s
   const bool more = simple.size() > polygon.loops.size();
   const std::optional<Plane> plane = more ? main_plane(soup.points, simple) : std::nullopt;
   if (!plane) {
-    defects.add("repeated corners", polygon.source, place);
+    // What vanishes altogether is counted as degenerate by the caller.
+    if (!simple.empty()) defects.add("repeated corners", polygon.source, place);
     polygon.loops = std::move(simple);
     result.push_back(std::move(polygon));
     return;

@@ -63,19 +63,19 @@ std::vector<std::pair<Edge, const SoupPolygon*>> new_edges(const Soup& soup,
 }  // namespace
 
 SegmentSearch::SegmentSearch(std::span<const Point> points, double tolerance, std::size_t first)
-    : points_(points), tolerance_(tolerance), tree_(boxes_of(points, first)) {}
+    : points_(points), distance_(kOnEdgeShare * tolerance), tree_(boxes_of(points, first)) {}
 
 std::vector<std::uint32_t> SegmentSearch::on(const Edge& edge) const {
   const Point& a = points_[edge[0]];
   const Vector d = points_[edge[1]] - a;
   const double length_squared = dot(d, d);
   std::vector<Found> found;
-  tree_.visit([&](const Box& box) { return meets(grown(box, tolerance_), a, d); },
+  tree_.visit([&](const Box& box) { return meets(grown(box, distance_), a, d); },
               [&](std::uint32_t vertex) {
                 if (vertex == edge[0] || vertex == edge[1]) return;
                 const Vector offset = points_[vertex] - a;
                 const double t = dot(offset, d) / length_squared;
-                if (t <= 0.0 || t >= 1.0 || norm(offset - t * d) > tolerance_) return;
+                if (t <= 0.0 || t >= 1.0 || norm(offset - t * d) > distance_) return;
                 found.push_back({t, vertex});
               });
   std::sort(found.begin(), found.end());

@@ -28,24 +28,30 @@ struct EdgeHash {
 /// Per edge the vertices that lie on it, in order from its first vertex to its second.
 using EdgeSplits = std::unordered_map<Edge, std::vector<std::uint32_t>, EdgeHash>;
 
-/// Finds the vertices within a distance of segments.
+/// Distance within which a vertex lies on an edge, as a share of the least distance between vertices. Below √3/2: then of three
+/// vertices near each other at most one lies on the edge between the other two, so that splitting comes to an end.
+constexpr double kOnEdgeShare = 0.85;
+
+/// Finds the vertices that lie on segments.
 class SegmentSearch {
  public:
+  /// @param tolerance  no two points are closer than this [m]
   /// @param first  points before this one are not looked for
   SegmentSearch(std::span<const Point> points, double tolerance, std::size_t first = 0);
 
-  /// The vertices within the tolerance of the inner part of the segment between two vertices, in order along it, without
-  /// those two. O(log n) where few are near.
+  /// The vertices within kOnEdgeShare of the tolerance of the inner part of the segment between two vertices, in order along
+  /// it, without those two. O(log n) where few are near.
   [[nodiscard]] std::vector<std::uint32_t> on(const Edge& edge) const;
 
  private:
   std::span<const Point> points_;
-  double tolerance_;
+  double distance_;
   BoxTree tree_;
 };
 
-/// Makes vertices within the tolerance of an edge, of whatever part, corners of that edge's polygon, until no such vertex is left.
+/// Makes vertices on an edge, of whatever part, corners of that edge's polygon, until no such vertex is left.
 /// Counts "T-junctions": vertices on edges.
+/// @param tolerance  no two points are closer than this [m]
 /// @return whether anything changed
 bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects);
 
