@@ -67,6 +67,7 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
   try {
     Answer answer;
     answer.results = lighting::run(study, progress);
+    end_orderly();  // until here there is nothing on the disk
     answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
     return answer;
   } catch (const InputError& error) {
@@ -101,7 +102,6 @@ int answer(lighting::Study::Kind kind, const Options& options) {
   figures.threads = options.threads;
   lighting::set_threads(options.threads);
 
-  end_orderly();
   const Answer answer = run_and_write(input.study, context, std::move(figures), options);
   if (options.json) {
     print(answer.summary);

@@ -16,18 +16,22 @@ namespace {
 // The only state that a signal handler can reach; lock-free atomics are safe there.
 std::atomic<bool> g_orderly = false;
 std::atomic<bool> g_interrupted = false;
+std::atomic<bool> g_terminal = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int) {
   if (g_orderly.load() && !g_interrupted.exchange(true)) return;
-  constexpr std::string_view kLine = "error: interrupted\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kLine.data(), kLine.size());
+  constexpr std::string_view kLine = "\r\033[Kerror: interrupted\n";  // over the line of the progress
+  constexpr std::size_t kErase = 4;
+  const std::string_view line = g_terminal.load() ? kLine : kLine.substr(kErase);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
   ::_exit(kInterruptedByUser);
 }
 
 }  // namespace
 
 void take_signals() {
+  g_terminal = ::isatty(STDERR_FILENO) == 1;
   struct sigaction action {};
   action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
