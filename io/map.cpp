@@ -55,14 +55,15 @@ void draw_plan(Raster& raster, const MapPlan& plan, const MapLayout& layout, con
   if (plan.cells.empty()) {
     draw_outlines(raster, occupied, plan, layout);
     draw_dots(raster, occupied, plan, layout, values, scale);
+    draw_values(raster, occupied, plan, layout, values, Mask(0, 0));
   } else {
     const MapMesh mesh = interpolate(plan, values);
     const Mask within = field_mask(plan, layout);
-    paint_field(raster, mesh, layout, scale, within);
+    const Mask painted = paint_field(raster, mesh, layout, scale, within);
     draw_outlines(raster, occupied, plan, layout);
     draw_isolines(raster, occupied, mesh, layout, scale, within);
+    draw_values(raster, occupied, plan, layout, values, painted);
   }
-  draw_values(raster, occupied, plan, layout, values);
 }
 
 }  // namespace

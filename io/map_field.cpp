@@ -92,7 +92,8 @@ class FineField {
   std::vector<float> values_;
 };
 
-void paint_pixel(Raster& raster, int x, int y, const FineField& field, const MapScale& scale, double within) {
+/// Gives how much of the pixel is painted.
+double paint_pixel(Raster& raster, int x, int y, const FineField& field, const MapScale& scale, double within) {
   int covered = 0;
   double sum = 0.0;
   for (int s = 0; s < kSamples * kSamples; ++s) {
@@ -101,8 +102,10 @@ void paint_pixel(Raster& raster, int x, int y, const FineField& field, const Map
     ++covered;
     sum += static_cast<double>(value);
   }
-  if (covered == 0) return;
-  raster.blend(x, y, map_colour(scale.position(sum / covered)), within * covered / (kSamples * kSamples));
+  if (covered == 0) return 0.0;
+  const double coverage = within * covered / (kSamples * kSamples);
+  raster.blend(x, y, map_colour(scale.position(sum / covered)), coverage);
+  return coverage;
 }
 
 }  // namespace
@@ -113,12 +116,15 @@ Mask field_mask(const MapPlan& plan, const MapLayout& layout) {
     if (!outline.hole) mask.add_polygon(layout.pixels(outline.loop));
   }
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    if (plan.inside[i] == 0) mask.add_polygon(layout.pixels(plan.cells[i]));
+    if (plan.inside[i] != 0) continue;
+    const std::vector<Pixel> cell = layout.pixels(plan.cells[i]);
+    mask.add_polygon(cell);
+    mask.add_line(cell, true, 2.0);  // or the joints between cells would be half covered
   }
   return mask;
 }
 
-void paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, const MapScale& scale,
+Mask paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, const MapScale& scale,
                  const Mask& within) {
   FineField field(layout.width, layout.height);
   for (const auto& quad : mesh.quads) {
@@ -130,12 +136,18 @@ void paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, c
     }
     field.fill(corners, values);
   }
+  Mask painted(layout.width, layout.height);
   for (int y = 0; y < layout.height; ++y) {
-    for (int x = 0; x < layout.width; ++x) {
-      const auto coverage = static_cast<double>(within.at(x, y));
-      if (coverage > 0.0) paint_pixel(raster, x, y, field, scale, coverage);
+    int x = 0;
+    for (const float coverage : within.row(y)) {
+      if (coverage > 0.0F) {
+        const double here = paint_pixel(raster, x, y, field, scale, static_cast<double>(coverage));
+        painted.add(x, y, static_cast<float>(here));
+      }
+      ++x;
     }
   }
+  return painted;
 }
 
 }  // namespace clerestory::io

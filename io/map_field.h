@@ -13,7 +13,8 @@ namespace clerestory::io {
 Mask field_mask(const MapPlan& plan, const MapLayout& layout);
 
 /// Paints the values of a mesh in the colours of a scale, bilinear in each quadrilateral, within the mask.
-void paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, const MapScale& scale,
+/// Gives what was painted.
+Mask paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, const MapScale& scale,
                  const Mask& within);
 
 }  // namespace clerestory::io

@@ -141,6 +141,21 @@ double dot_radius(const MapPlan& plan, const MapLayout& layout) {
   return spacing > 0.0 ? std::clamp(0.42 * spacing, 1.5, kLargestDot) : kLargestDot;  // 0: all at one place
 }
 
+/// Renders each number once: a grid has few different ones.
+class TextCache {
+ public:
+  explicit TextCache(TextStyle style) : style_(style) {}
+  const TextImage& get(const std::string& text) {
+    auto found = images_.find(text);
+    if (found == images_.end()) found = images_.emplace(text, render_text(text, style_)).first;
+    return found->second;
+  }
+
+ private:
+  TextStyle style_;
+  std::map<std::string, TextImage> images_;
+};
+
 Rgb ink_on(Rgb ground) { return lightness(ground) < 0.5 ? kPaper : kInk; }
 
 }  // namespace
@@ -161,26 +176,24 @@ void draw_isolines(Raster& raster, Occupied& occupied, const MapMesh& mesh, cons
 }
 
 void draw_values(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,
-                 std::span<const float> values) {
+                 std::span<const float> values, const Mask& painted) {
   const bool beside = plan.cells.empty();  // a dot stands at the place itself
   const double aside = beside ? dot_radius(plan, layout) + 5.0 : 0.0;
   const double spacing = spacing_of(plan) * layout.pixels_per_metre;
   const double width = between_steps(kValueWidth, spacing);
   const double height = between_steps(kValueHeight, spacing);
   Occupied chosen(layout.width, layout.height);
-  std::map<std::string, TextImage> texts;
+  TextCache texts(kValueLabel);
   for (std::size_t i = 0; i < plan.positions.size(); ++i) {
     const Pixel at = layout.pixel(plan.positions[i]);
     // Where a value goes is chosen without regard to lines, so that a grid's values stand in rows and columns.
     const PixelRect cell{at.x - 0.5 * width, at.y - 0.5 * height, width, height};
     if (!chosen.free(cell)) continue;
-    chosen.take(cell);
-    const std::string number = map_number(static_cast<double>(values[i]));
-    auto found = texts.find(number);
-    if (found == texts.end()) found = texts.emplace(number, render_text(number, kValueLabel)).first;
-    const TextImage& text = found->second;
+    const TextImage& text = texts.get(map_number(static_cast<double>(values[i])));
     const PixelRect box =
         text_box(text, {at.x + aside, at.y}, {beside ? Align::kStart : Align::kMiddle, Align::kMiddle});
+    if (!beside && !covered(painted, box.grown(1.0))) continue;
+    chosen.take(cell);
     if (!occupied.free(box.grown(2.0))) continue;
     draw_text(raster, text, box, ink_on(raster.at(static_cast<int>(box.x), static_cast<int>(at.y))));
     occupied.take(box);

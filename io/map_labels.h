@@ -16,9 +16,9 @@ void draw_isolines(Raster& raster, Occupied& occupied, const MapMesh& mesh, cons
                    const MapScale& scale, const Mask& within);
 
 /// Prints the values of sensors where there is room, at their places or beside their dots; a regular choice of them where
-/// they are dense.
+/// they are dense; at their places only where the mask covers the whole number.
 void draw_values(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,
-                 std::span<const float> values);
+                 std::span<const float> values, const Mask& painted);
 
 /// Draws sensors without cells as dots in the colours of their values; what they take is marked.
 void draw_dots(Raster& raster, Occupied& occupied, const MapPlan& plan, const MapLayout& layout,

@@ -239,6 +239,7 @@ std::vector<std::vector<MapPoint>> isolines(const MapMesh& mesh, double value) {
   std::vector<std::vector<MapPoint>> lines;
   for (const auto& keys : joiner.lines()) {
     std::vector<MapPoint> line;
+    line.reserve(keys.size());
     for (const std::uint64_t key : keys) line.push_back(crossing(mesh, key, value));
     lines.push_back(std::move(line));
   }

@@ -24,8 +24,9 @@ constexpr std::size_t kMostPlanes = 24;
 constexpr double kLevel = 0.966;
 
 struct Plane {
-  mesh::Frame axes;  ///< u to the right on the map, v up
-  double offset = 0.0;
+  mesh::Frame axes;     ///< u to the right on the map, v up
+  double lowest = 0.0;  ///< offset along the normal [m]
+  double highest = 0.0;
   std::vector<std::uint32_t> sensors;
   std::vector<std::size_t> outlines;
 };
@@ -46,7 +47,7 @@ std::vector<Plane> by_direction(const lighting::Sensors& sensors) {
     auto plane = std::ranges::find_if(planes, [&](const Plane& p) { return dot(p.axes.w, normal) > kSameDirection; });
     if (plane == planes.end()) {
       if (planes.size() == kMostPlanes) return {};
-      plane = planes.insert(planes.end(), Plane{axes_of(normal), 0.0, {}, {}});
+      plane = planes.insert(planes.end(), Plane{axes_of(normal), 0.0, 0.0, {}, {}});
     }
     plane->sensors.push_back(static_cast<std::uint32_t>(i));
   }
@@ -63,7 +64,8 @@ std::vector<Plane> by_offset(const lighting::Sensors& sensors, const Plane& plan
   std::vector<Plane> parts;
   double last = -std::numeric_limits<double>::infinity();
   for (const auto& [offset, sensor] : offsets) {
-    if (offset - last > kApart) parts.push_back({plane.axes, offset, {}, {}});
+    if (offset - last > kApart) parts.push_back({plane.axes, offset, offset, {}, {}});
+    parts.back().highest = offset;
     parts.back().sensors.push_back(sensor);
     last = offset;
   }
@@ -78,7 +80,8 @@ std::vector<Plane> planes_of(const lighting::Sensors& sensors) {
     planes.insert(planes.end(), parts.begin(), parts.end());
   }
   if (!planes.empty() && planes.size() <= kMostPlanes) return planes;
-  Plane all{axes_of({0, 0, 1}), 0.0, std::vector<std::uint32_t>(sensors.count()), {}};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Plane all{axes_of({0, 0, 1}), -kFar, kFar, std::vector<std::uint32_t>(sensors.count()), {}};
   std::iota(all.sensors.begin(), all.sensors.end(), 0U);
   return {all};
 }
@@ -92,17 +95,17 @@ mesh::Vector area_vector(const std::vector<mesh::Point>& loop) {
   return area;
 }
 
-/// The plane that an outline lies in.
-std::size_t plane_of(const std::vector<mesh::Point>& loop, const std::vector<Plane>& planes) {
+/// The plane that an outline lies in, or nothing: the surface of the outline got no sensors.
+std::optional<std::size_t> plane_of(const std::vector<mesh::Point>& loop, const std::vector<Plane>& planes) {
   const mesh::Vector normal = normalized(area_vector(loop));
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> best;
+  double least = kApart;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    // A metre of distance weighs as much as one radian: enough to tell the walls of a room apart.
-    const double distance = std::abs(dot(planes[i].axes.w, position_vector(loop.front())) - planes[i].offset);
-    const double angle = std::acos(std::min(1.0, std::abs(dot(planes[i].axes.w, normal))));
-    if (distance + angle < least) {
-      least = distance + angle;
+    const double offset = dot(planes[i].axes.w, position_vector(loop.front()));
+    const double distance = std::max({0.0, planes[i].lowest - offset, offset - planes[i].highest});
+    const bool parallel = std::abs(dot(planes[i].axes.w, normal)) > kLevel;
+    if ((parallel || planes.size() == 1) && distance < least) {
+      least = distance;
       best = i;
     }
   }
@@ -127,6 +130,27 @@ MapBox box_of(const lighting::Sensors& sensors, const Plane& plane) {
 }
 
 bool level(const Plane& plane) { return std::abs(plane.axes.w.z) > kLevel; }
+
+/// Of a wall only what sensors stand before is of interest, and the holes in it; not, say, the reveal of a window that looks
+/// the same way. Of a storey also the rooms without sensors.
+void drop_empty_outlines(const lighting::Sensors& sensors, Plane& plane) {
+  if (level(plane)) return;
+  mesh::Vector largest;
+  for (const std::size_t o : plane.outlines) {
+    const mesh::Vector area = area_vector(sensors.outlines[o]);
+    if (norm(area) > norm(largest)) largest = area;
+  }
+  std::erase_if(plane.outlines, [&](std::size_t o) {
+    if (dot(area_vector(sensors.outlines[o]), largest) < 0.0) return false;  // a hole
+    MapOutline outline;
+    for (const mesh::Point& p : sensors.outlines[o]) {
+      outline.loop.push_back(flatten(plane.axes, p));
+      outline.box.add(outline.loop.back());
+    }
+    return std::ranges::none_of(
+        plane.sensors, [&](std::uint32_t i) { return contains(outline, flatten(plane.axes, sensors.positions[i])); });
+  });
+}
 
 /// Long plans lie better than they stand.
 void turn_if_on_end(const lighting::Sensors& sensors, std::vector<Plane>& planes) {
@@ -284,10 +308,13 @@ MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg) {
   std::vector<Plane> planes = planes_of(sensors);
   for (std::size_t o = 0; o < sensors.outlines.size(); ++o) {
     if (sensors.outlines[o].size() < 3) continue;
-    planes[plane_of(sensors.outlines[o], planes)].outlines.push_back(o);
+    const auto plane = plane_of(sensors.outlines[o], planes);
+    if (plane) planes[*plane].outlines.push_back(o);
   }
+  for (Plane& plane : planes) drop_empty_outlines(sensors, plane);
   turn_if_on_end(sensors, planes);
   std::vector<MapBox> boxes;
+  boxes.reserve(planes.size());
   for (const Plane& plane : planes) boxes.push_back(box_of(sensors, plane));
   const std::vector<MapPoint> shifts = arrange(boxes);
   MapPlan plan;

@@ -24,10 +24,10 @@ using Series = std::vector<double>;  // mantissas in [1, 10), ascending
 
 /// In the order of preference.
 const std::vector<Series>& series_of(MapQuantity quantity) {
-  static const std::vector<Series> daylight_factor{{1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}, {1, 1.5, 2, 3, 5, 7.5}};
-  static const std::vector<Series> illuminance{{1, 2, 3, 5, 7.5},     {1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1},
-                                               {1, 1.5, 2, 3, 5, 7.5}};
-  return quantity == MapQuantity::kDaylightFactor ? daylight_factor : illuminance;
+  static const std::vector<Series> kDaylightFactor{{1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}, {1, 1.5, 2, 3, 5, 7.5}};
+  static const std::vector<Series> kIlluminance{{1, 2, 3, 5, 7.5},     {1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1},
+                                                {1, 1.5, 2, 3, 5, 7.5}};
+  return quantity == MapQuantity::kDaylightFactor ? kDaylightFactor : kIlluminance;
 }
 
 int decade(double value) { return static_cast<int>(std::floor(std::log10(value))); }
@@ -135,7 +135,7 @@ Rgb map_colour(double position) {
   const std::size_t below = std::min(static_cast<std::size_t>(steps), kColours.size() - 2);
   const double t = steps - static_cast<double>(below);
   const auto mix = [t](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>((1.0 - t) * a + t * b + 0.5);  // rounded
+    return static_cast<std::uint8_t>(std::lrint((1.0 - t) * a + t * b));
   };
   const Rgb a = kColours[below];
   const Rgb b = kColours[below + 1];

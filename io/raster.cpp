@@ -129,7 +129,7 @@ void Raster::blend(int x, int y, Rgb colour, double coverage) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_ || coverage <= 0.0) return;
   const double share = std::min(coverage, 1.0);
   const auto mix = [share](std::uint8_t below, std::uint8_t above) {
-    return static_cast<std::uint8_t>((1.0 - share) * below + share * above + 0.5);  // rounded
+    return static_cast<std::uint8_t>(std::lrint((1.0 - share) * below + share * above));
   };
   Rgb& here = pixels_[index(x, y)];
   here = {mix(here.r, colour.r), mix(here.g, colour.g), mix(here.b, colour.b)};

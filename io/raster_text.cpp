@@ -29,9 +29,9 @@ std::string font_file(bool bold) {
 }
 
 void apply(TextStyle style, vtkTextProperty* property) {
-  static const std::string regular = font_file(false);
-  static const std::string bold = font_file(true);
-  const std::string& file = style.bold ? bold : regular;
+  static const std::string kRegular = font_file(false);
+  static const std::string kBold = font_file(true);
+  const std::string& file = style.bold ? kBold : kRegular;
   if (file.empty()) {
     property->SetFontFamilyToArial();
     property->SetBold(style.bold ? 1 : 0);

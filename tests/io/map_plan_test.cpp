@@ -75,6 +75,17 @@ TEST(MapPlan, TheFourWallsOfARoomAreFourPanels) {
   for (std::size_t i = 0; i < plan.inside.size(); ++i) ASSERT_EQ(plan.inside[i], 1) << i;  // each in its own outline
 }
 
+TEST(MapPlan, AWallTakesNoOutlineThatHasNoSensors) {
+  auto grid = test::make_grid({.columns = 24, .rows = 12, .right = {0, 1, 0}, .up = {0, 0, 1}}, uniform);  // looks east
+  const auto quad = [](double x, double y) {
+    return std::vector<mesh::Point>{{x, y, 1}, {x, y + 0.2, 1}, {x, y + 0.2, 2}, {x, y, 2}};
+  };
+  grid.sensors.outlines.push_back(quad(0.5, -0.3));                               // a reveal that looks east, near by
+  grid.sensors.outlines.push_back(quad(4.0, 1.0));                                // far away
+  grid.sensors.outlines.push_back({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}});  // looks north
+  EXPECT_EQ(lay_flat(grid.sensors, 0.0).outlines.size(), 1U);
+}
+
 TEST(MapPlan, AnOutlineWoundTheOtherWayIsAHole) {
   auto grid = test::office_grid();
   grid.sensors.outlines.push_back({{2, 2, 0.8}, {2, 3, 0.8}, {3, 3, 0.8}, {3, 2, 0.8}});

@@ -149,6 +149,19 @@ TEST_F(Map, OfZerosIsInTheDarkestColour) {
   EXPECT_GT(picture.count(map_colour(0.0)), 500'000);
 }
 
+TEST_F(Map, HasNoJointsBetweenCellsWithoutOutlines) {
+  auto grid = test::make_grid({}, [](double, double) { return 0.0; });
+  grid.sensors.outlines.clear();
+  const auto map = layout_map(lay_flat(grid.sensors, 0.0)).map;
+  const Picture picture = draw(grid);
+  int other = 0;
+  for (int x = static_cast<int>(map.x + 0.2 * map.width); x < map.x + 0.8 * map.width; ++x) {
+    const auto at = picture.at(x, map.y + 0.5 * map.height);
+    other += at == map_colour(0.0) || lightness(at) > 0.5 ? 0 : 1;  // light: a printed value
+  }
+  EXPECT_LT(other, 30);  // the soft edges of printed values
+}
+
 TEST_F(Map, OfAnIlluminanceStudyShowsLux) {
   auto grid = test::office_grid();
   const Picture factor = draw(grid);
