@@ -16,7 +16,7 @@ double cube_direct(double x_m, double y_m);
 double cube_mean_indirect(double reflectance);
 
 /// Illuminance by a radiosity solution of its own: by symmetry all faces carry one distribution, which is solved for with closed-form
-/// form factors on patches of 0.1 m and gathered by closed forms. Good to 0.03 %.
+/// form factors on patches of 0.1 m and gathered by closed forms. Good to 0.05 %.
 class CubeReference {
  public:
   explicit CubeReference(double reflectance);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A closed shape of one reflectance and one emission everywhere has the radiosity M/(1-ρ) everywhere, exactly, whatever its shape
+// [science page, section 11]. And what a run says of its own energy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "io/study_file.h"
+#include "tests/support/places.h"
+#include "tests/support/shapes.h"
+#include "tests/support/validation_scenes.h"
+#include "tests/validation/studies.h"
+
+namespace clerestory::test {
+namespace {
+
+constexpr double kEmission_lm_m2 = 100.0;
+constexpr double kReflectance = 0.6;
+constexpr double kExact = kEmission_lm_m2 / (1.0 - kReflectance);
+
+lighting::Study furnace(mesh::Model model, double accuracy) {
+  lighting::Study study = grey_study(std::move(model), kReflectance);
+  for (lighting::Material& m : study.materials) shine(m, kEmission_lm_m2);
+  study.accuracy.target = accuracy;
+  return study;
+}
+
+/// How far the radiosity of the shining sides lies from the exact value, relative.
+struct Deviation {
+  double mean = 0.0;
+  double rms = 0.0;
+  double largest = 0.0;
+};
+
+double area_m2(const lighting::SurfaceResult& surfaces, std::size_t cell) {
+  const auto& c = surfaces.cells[cell];
+  return 0.5 *
+         norm(cross(surfaces.points[c[1]] - surfaces.points[c[0]], surfaces.points[c[2]] - surfaces.points[c[0]]));
+}
+
+Deviation radiosity_deviation(const lighting::SurfaceResult& surfaces) {
+  Deviation d;
+  double area = 0.0;
+  for (std::size_t c = 0; c < surfaces.cells.size(); ++c) {
+    if (surfaces.side[c] != 0) continue;  // backs do not shine, and see nothing that does
+    const double relative = surfaces.radiosity_lm_m2[c] / kExact - 1.0;
+    const double a = area_m2(surfaces, c);
+    area += a;
+    d.mean += a * relative;
+    d.rms += a * relative * relative;
+    d.largest = std::max(d.largest, std::abs(relative));
+  }
+  return {d.mean / area, std::sqrt(d.rms / area), d.largest};
+}
+
+void print_run(const char* what, const lighting::Results& results, const Deviation& d) {
+  std::printf(
+      "[ FIGURES  ] %s: radiosity mean %+.1e, rms %.1e, largest %.1e; balance %+.1e, reciprocity %.1e, closure %.1e\n",
+      what, d.mean, d.rms, d.largest, results.energy.residual, results.energy.reciprocity, results.energy.closure);
+}
+
+/// The largest relative deviation of a sensor; each must see the exact radiosity wherever it looks.
+double sensor_deviation(const lighting::Results& results) {
+  double largest = 0.0;
+  for (const float e : results.grids.at(0).illuminance_lux) largest = std::max(largest, std::abs(e / kExact - 1.0));
+  return largest;
+}
+
+void add_sensors_everywhere(lighting::Study& study, double height_m) {
+  const auto points = cell_centres({0.1, 0.1, height_m}, 1.7, 1.7, 4);
+  for (const mesh::Vector& n : {mesh::Vector{0, 0, 1}, mesh::Vector{1, 0, 0}, mesh::Vector{0, 0.6, -0.8}})
+    add_sensors(study, points, n);
+}
+
+TEST(Furnace, ConvexBoxIsExactToOneInTenThousand) {
+  for (const double accuracy : {0.08, 0.02}) {
+    lighting::Study study = furnace(support::box_room(4, 5, 3), accuracy);
+    add_sensors_everywhere(study, 1.1);
+    const lighting::Results results = answer(study);
+    const Deviation d = radiosity_deviation(results.surfaces);
+    print_run("box", results, d);
+    EXPECT_LE(d.largest, 1e-4);
+    EXPECT_LE(sensor_deviation(results), 1e-4);
+    EXPECT_LE(std::abs(results.energy.residual), 1e-4);
+    EXPECT_LE(results.energy.closure, 1e-4);
+    EXPECT_LE(results.energy.reciprocity, 1e-3);
+  }
+}
+
+/// Scenes where visibility is sampled: bounds are a quarter of the accuracy asked; sensors keep what an accuracy promises.
+void expect_furnace(const char* what, mesh::Model model, double accuracy) {
+  lighting::Study study = furnace(std::move(model), accuracy);
+  add_sensors_everywhere(study, 0.9);
+  const lighting::Results results = answer(study);
+  const Deviation d = radiosity_deviation(results.surfaces);
+  print_run(what, results, d);
+  EXPECT_LE(std::abs(d.mean), accuracy / 4) << what;
+  EXPECT_LE(d.rms, accuracy / 4) << what;
+  EXPECT_LE(sensor_deviation(results), 2.0 * accuracy) << what;
+  EXPECT_LE(std::abs(results.energy.residual), accuracy / 4) << what;
+  EXPECT_LE(results.energy.closure, accuracy / 4) << what;
+  EXPECT_LE(results.energy.reciprocity, 1e-3) << what;
+}
+
+TEST(Furnace, LRoomIsExactToAQuarterOfTheAccuracy) {
+  expect_furnace("L-room, 2 %", support::l_room(), 0.02);
+  expect_furnace("L-room, 8 %", support::l_room(), 0.08);
+}
+
+TEST(Furnace, FurnishedRoomIsExactToAQuarterOfTheAccuracy) {
+  mesh::Model model = support::box_room(4, 5, 3);
+  support::add_table(model, {1.0, 0.5, 0.0}, "table 1");
+  support::add_table(model, {1.2, 3.0, 0.0}, "table 2");
+  support::add_box(model, {2.9, 2.0, 0.0}, {3.6, 2.4, 1.8}, {.material = "wood", .part = "shelf"});
+  expect_furnace("furnished room, 2 %", std::move(model), 0.02);
+}
+
+/// Checks that every run reports of itself, on the reference scenes.
+void expect_balance(const std::string& name, double accuracy) {
+  const auto path = write_validation_study(name, testing::TempDir() + "clerestory-balance", accuracy);
+  const lighting::Results results = answer(io::read_study(path).study);
+  std::printf("[ FIGURES  ] %s at %.0f %%: balance %+.1e, reciprocity %.1e, closure %.1e\n", name.c_str(),
+              100 * accuracy, results.energy.residual, results.energy.reciprocity, results.energy.closure);
+  EXPECT_LE(std::abs(results.energy.residual), accuracy / 4) << name;
+  EXPECT_LE(results.energy.closure, accuracy / 4) << name;
+  EXPECT_LE(results.energy.reciprocity, 1e-3) << name;
+}
+
+TEST(EnergyBalance, LampRoomClosesToAQuarterOfTheAccuracy) {
+  CLERESTORY_NEEDS_VALIDATION("lamp-room");
+  expect_balance("lamp-room", 0.02);
+}
+
+TEST(EnergyBalance, OfficeClosesToAQuarterOfTheAccuracy) {
+  CLERESTORY_NEEDS_VALIDATION("office");
+  expect_balance("office", 0.04);
+}
+
+}  // namespace
+}  // namespace clerestory::test
