@@ -7,16 +7,17 @@
 
 namespace clerestory::io {
 
-// The folder that results go to. We replace or remove only files that its own summary.json lists; whatever else lies there
-// is the user's. Nothing is left in it, not even hidden, from check_result_folder() to the writing of the results.
+// The folder that results go to. We replace or remove only files that its own summary.json lists; whatever else lies
+// there is the user's. Nothing is left in it, not even hidden, from check_result_folder() to the writing of the
+// results.
 
 /// Makes sure that a run can write its results, before the run: the folder can be made and written to, and none of the
 /// `names` is taken by a file that is not ours. Changes nothing.
 /// Throws InputError that names the user's file, MachineError when the folder cannot be made or written to.
 void check_result_folder(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-/// Results on their way to the folder: written to a hidden folder inside it, then moved to their places when all are whole.
-/// One at a time: another process that writes to the same folder is waited for.
+/// Results on their way to the folder: written to a hidden folder inside it, then moved to their places when all are
+/// whole. One at a time: another process that writes to the same folder is waited for.
 class ResultFolder {
  public:
   /// Makes the folder where it is missing. Throws MachineError.

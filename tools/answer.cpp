@@ -79,7 +79,8 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
     try {
       io::write_failure(options.out, context, describe(error).line);
     } catch (const std::exception&) {
-      // The disk that is full, most likely: the first error is the one to tell, and the older results stand as they were.
+      // The disk that is full, most likely: the first error is the one to tell, and the older results stand as they
+      // were.
     }
     throw;
   }

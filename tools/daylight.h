@@ -5,7 +5,8 @@
 
 namespace clerestory::tools {
 
-/// `clerestory daylight`: daylight factors under the CIE overcast sky. Returns the exit status; throws as answer() does.
+/// `clerestory daylight`: daylight factors under the CIE overcast sky. Returns the exit status; throws as answer()
+/// does.
 int daylight(const Options& options);
 
 }  // namespace clerestory::tools

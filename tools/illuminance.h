@@ -5,7 +5,8 @@
 
 namespace clerestory::tools {
 
-/// `clerestory illuminance`: illuminance under the sky and the lamps of the study. Returns the exit status; throws as answer() does.
+/// `clerestory illuminance`: illuminance under the sky and the lamps of the study. Returns the exit status; throws as
+/// answer() does.
 int illuminance(const Options& options);
 
 }  // namespace clerestory::tools

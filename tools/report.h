@@ -9,8 +9,8 @@
 
 namespace clerestory::tools {
 
-/// The results for a reader at a terminal: a table of the grids, accuracy, energy balance, time, where the maps are, and
-/// each assumption and notice once.
+/// The results for a reader at a terminal: a table of the grids, accuracy, energy balance, time, where the maps are,
+/// and each assumption and notice once.
 /// @param out  the folder that the results were written to, as the user named it
 std::string report(const lighting::Results& results, const io::ResultContext& context,
                    const std::filesystem::path& out);

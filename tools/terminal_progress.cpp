@@ -59,9 +59,8 @@ bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 std::string progress_line(std::string_view phase, double fraction, double elapsed_s) {
   const double done = std::clamp(fraction, 0.0, 1.0);
   std::string line = fmt::format("{} {:3.0f} %", phase, std::floor(100.0 * done));
-  constexpr double kLeastMeasure_s = 1.0;
-  if (done > 0.0 && elapsed_s >= kLeastMeasure_s)
-    line += ", " + duration_text(elapsed_s * (1.0 - done) / done) + " left";
+  constexpr double kLeastMeasure = 1.0;  // seconds
+  if (done > 0.0 && elapsed_s >= kLeastMeasure) line += ", " + duration_text(elapsed_s * (1.0 - done) / done) + " left";
   return line;
 }
 
