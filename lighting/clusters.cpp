@@ -83,7 +83,7 @@ void Clusters::pull(const Solution& solution) {
       const auto b = solution.radiosity(root(c));
       std::copy(b.begin(), b.end(), radiosity_.begin() + static_cast<std::ptrdiff_t>(i * channels_));
       mean_[i] = solution.radiosity_mean(root(c));
-      deviation_[i] = solution.radiosity_deviation(root(c));
+      deviation_[i] = std::sqrt(solution.radiosity_variance(root(c)));
     } else {
       const auto share = static_cast<float>(area(left(c)) / area(c));
       for (std::size_t k = 0; k < channels_; ++k) {

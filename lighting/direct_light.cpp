@@ -28,6 +28,8 @@ constexpr std::uint32_t kDirections = 16;   ///< from each place towards each op
 constexpr std::uint32_t kProbes = 4;        ///< of them, enough to see that a place sees no sky at all
 constexpr double kSmallest = 0.02;          ///< nodes of a smaller radius are not opened [m]
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
+/// A node whose importance lies this unevenly is not trusted by what a few places on it show.
+constexpr double kUneven = 0.3;
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
 /// A surface seen through an opening.
@@ -88,7 +90,7 @@ class NodeSampler {
     for (std::uint32_t i = 0; i < kPoints; ++i) {
       const Point p = tree.sample(e, places.at(i, 0), places.at(i, 1));
       const Vector d = p - tree.centroid(e);
-      samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0};
+      samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
       points_on_node_[i] = p + scene().rays->offset_m() * tree.normal(e);
     }
     for (const std::uint32_t k : candidate.openings) {
@@ -97,7 +99,7 @@ class NodeSampler {
     }
     if (candidate.open_sky && scene().has_sky()) open_sky(e, mesh::hash(key, 0xFFFF), samples, result);
     point_sources(e, samples, result);
-    result.fit = fit_line(samples);
+    result.fit = fit_line(samples, true);
     return result;
   }
 
@@ -228,22 +230,38 @@ void NodeSampler::point_sources(ElementId e, std::span<PlaneSample> samples, Est
   }
 }
 
-/// Opening links of one node, one a source element, in the order of their ids.
+/// Opening links of one node, one a source element, in the order of their ids. Where on the source the rays end, makes the link
+/// follow the line of its radiosity.
 void add_links(const Solution& solution, ElementId receiver, const Estimate& estimate, std::vector<Link>& links) {
-  std::map<std::uint32_t, double> factors;
+  const mesh::ElementTree& tree = solution.tree();
+  struct Sum {
+    double factor = 0.0;
+    double u = 0.0;
+    double v = 0.0;
+  };
+  std::map<std::uint32_t, Sum> sums;
   for (const SeenBeyond& seen : estimate.beyond) {
     const ElementId source = solution.element_at(seen.side, seen.at);
-    if (source.valid()) factors[source.value] += seen.factor;
+    if (!source.valid()) continue;
+    const Vector d = seen.at - tree.centroid(source);
+    Sum& sum = sums[source.value];
+    sum.factor += seen.factor;
+    sum.u += seen.factor * dot(d, tree.axes(source).u);
+    sum.v += seen.factor * dot(d, tree.axes(source).v);
   }
   // Light through openings changes over the node as the sum of it does.
   const double slope = estimate.total > 0.0 ? 1.0 / estimate.total : 0.0;
-  for (const auto& [source, factor] : factors) {
+  for (const auto& [source, sum] : sums) {
     Link link;
     link.receiver = receiver;
     link.source = LinkSource::element(ElementId(source));
-    link.factor = static_cast<float>(factor);
-    link.slope_u = static_cast<float>(factor * slope * estimate.fit.line.slope_u);
-    link.slope_v = static_cast<float>(factor * slope * estimate.fit.line.slope_v);
+    link.factor = static_cast<float>(sum.factor);
+    link.slope_u = static_cast<float>(sum.factor * slope * estimate.fit.line.slope_u);
+    link.slope_v = static_cast<float>(sum.factor * slope * estimate.fit.line.slope_v);
+    const mesh::SecondMoments& area = tree.second_moments(ElementId(source));
+    const double determinant = area.uu * area.vv - area.uv * area.uv;
+    link.moment_u = static_cast<float>((sum.u * area.vv - sum.v * area.uv) / determinant);
+    link.moment_v = static_cast<float>((sum.v * area.uu - sum.u * area.uv) / determinant);
     links.push_back(link);
   }
 }
@@ -311,7 +329,9 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
     std::vector<Candidate> next;
     for (std::size_t i = 0; i < round.size(); ++i) {
       const ElementId e = round[i].node;
-      const double effect = weight_of(solution, importance, e) * estimates[i].fit.residual;
+      const double uneven = std::max(0.0, importance.unevenness(solution.tree(), e) - kUneven);
+      const double doubt = std::max(estimates[i].fit.residual, uneven * estimates[i].total);
+      const double effect = weight_of(solution, importance, e) * doubt;
       if (effect <= tolerance * result.scale_lux || solution.tree().radius(e) < kSmallest) {
         accepted.emplace_back(e, std::move(estimates[i]));
         continue;

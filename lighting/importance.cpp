@@ -2,6 +2,7 @@
 #include "lighting/importance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "lighting/light_paths.h"
@@ -20,11 +21,14 @@ namespace {
 constexpr std::size_t kWalkers = 1024;       ///< sensors that send out walks, spread evenly over all of them
 constexpr std::uint32_t kWalksEach = 32;
 constexpr int kBounces = 5;                  ///< later ones carry under 0.5^5 of the light
+constexpr std::size_t kTellApart = 64;       ///< deposits that make a triangle worth dividing
+constexpr double kSmallest = 0.25;           ///< … if its radius is larger than this [m]
 constexpr double kOwnShare = 0.5;            ///< the rest of a root's importance is spread over it by area
 constexpr double kAreaShare = 0.05;          ///< so much importance lies on all surfaces by area, seen from sensors or not
 
 struct Deposit {
   ElementId node;
+  Point at;
   float weight = 0.0F;
 };
 
@@ -68,7 +72,7 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
       weight *= seen.weight;
       const ElementId node = solution.tree().find(seen.side, seen.at);
       if (!node.valid()) break;
-      walked.deposits.push_back({node, weight});
+      walked.deposits.push_back({node, seen.at, weight});
       weight *= luminance(scene.side_reflectance(seen.side), scene.channel_weights);
       facing = solution.tree().normal(node);
       at = seen.at + scene.rays->offset_m() * facing;
@@ -77,9 +81,26 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
   return walked;
 }
 
+/// Moves the deposits of crowded triangles down to their parts, which are made for that.
+void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
+  std::vector<std::vector<std::uint32_t>> on(solution.tree().size());
+  for (std::uint32_t i = 0; i < deposits.size(); ++i) on[deposits[i].node.index()].push_back(i);
+  for (std::size_t n = 0; n < on.size(); ++n) {
+    const ElementId e(n);
+    if (on[n].size() < kTellApart || solution.tree().radius(e) < kSmallest) continue;
+    if (!solution.tree().has_children(e)) solution.divide(e);
+    on.resize(solution.tree().size());
+    for (const std::uint32_t i : on[n]) {
+      deposits[i].node = solution.tree().child_at(e, deposits[i].at);
+      on[deposits[i].node.index()].push_back(i);
+    }
+    on[n].clear();
+  }
+}
+
 }  // namespace
 
-Importance::Importance(const Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
+Importance::Importance(Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
                        std::uint64_t seed) {
   const mesh::ElementTree& tree = solution.tree();
   const std::size_t walkers = std::min(kWalkers, positions.size());
@@ -89,12 +110,15 @@ Importance::Importance(const Solution& solution, std::span<const Point> position
     walked[i] = walk(solution, positions[sensor], normals[sensor], mesh::hash(seed, sensor));
   });
 
-  std::vector<double> own(tree.size(), 0.0);
+  std::vector<Deposit> deposits;
   for (const Walked& of_one : walked) {
     direct_sky_lux_ += of_one.sky_lux / static_cast<double>(walkers);
-    for (const Deposit& d : of_one.deposits) {
-      for (ElementId e = d.node; e.valid(); e = tree.parent(e)) own[e.index()] += d.weight / static_cast<double>(walkers);
-    }
+    deposits.insert(deposits.end(), of_one.deposits.begin(), of_one.deposits.end());
+  }
+  divide_crowded(solution, deposits);
+  std::vector<double> own(tree.size(), 0.0);
+  for (const Deposit& d : deposits) {
+    for (ElementId e = d.node; e.valid(); e = tree.parent(e)) own[e.index()] += d.weight / static_cast<double>(walkers);
   }
   double all_area = 0.0;
   for (const ElementId root : tree.roots()) all_area += tree.area(root);
@@ -108,6 +132,16 @@ Importance::Importance(const Solution& solution, std::span<const Point> position
     importance_[i] = static_cast<float>(kOwnShare * own[i] + (1.0 - kOwnShare) * root_density[i] * tree.area(e) +
                                         by_area * tree.area(e) / all_area);
   }
+}
+
+double Importance::unevenness(const mesh::ElementTree& tree, ElementId e) const {
+  if (!tree.has_children(e)) return 0.0;
+  double moved = 0.0;
+  for (std::size_t k = 0; k < tree.child_count(e); ++k) {
+    const ElementId child(tree.first_child(e).index() + k);
+    moved += std::abs(of(tree, child) / of(tree, e) - tree.area(child) / tree.area(e));
+  }
+  return 0.5 * moved;
 }
 
 double Importance::of(const mesh::ElementTree& tree, ElementId e) const {

@@ -13,12 +13,15 @@ namespace clerestory::lighting {
 /// for one more lm/m² that the whole node sends out, all later reflections included. Estimated by random walks from the sensors.
 class Importance {
  public:
+  /// Divides triangles on which many walks ended, so that it is known which of their parts matter.
   /// @param positions, normals  sensors, local coordinates; may be empty: then every node matters by its area
-  Importance(const Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
+  Importance(Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
              std::uint64_t seed);
 
   /// Of a node, whether it existed when the walks were made or is a part of one that did.
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
+  /// How unevenly importance lies on a node: the share of it that would have to move between its children to follow their areas.
+  [[nodiscard]] double unevenness(const mesh::ElementTree& tree, mesh::ElementId e) const;
   /// Mean illuminance at the sensors straight from the sky, as the walks' first rays saw it [lux].
   [[nodiscard]] double direct_sky_lux() const { return direct_sky_lux_; }
 

@@ -21,8 +21,8 @@ using mesh::Visibility;
 
 namespace {
 
-constexpr std::size_t kPlaces = 6;         ///< on a receiver
-constexpr std::size_t kRaysEach = 4;       ///< from each place to the source, where visibility is partial
+constexpr std::size_t kPlaces = 16;        ///< on a piece, at most
+constexpr std::size_t kRays = 24;          ///< or a little more, from all places to a source of partial visibility
 constexpr std::size_t kClusterRays = 16;
 constexpr double kSmallest = 0.015;        ///< elements of a smaller radius are not split [m]
 constexpr float kLeastReflectance = 0.02F;  ///< black receivers get links too, but few
@@ -53,19 +53,72 @@ mesh::ShaftEnd end_of(const mesh::ElementTree& tree, ElementId e) {
   return end;
 }
 
-/// Places on a receiver: for triangles the same four in all links, so that what several sources add up to is consistent; for groups
-/// stratified ones.
-std::size_t places_on(const mesh::ElementTree& tree, ElementId e, std::array<Point, kPlaces>& places) {
-  if (tree.is_triangle(e)) {
-    const auto c = tree.corners(e);
-    const Point& m = tree.centroid(e);
-    places[0] = m;
-    for (std::size_t i = 0; i < 3; ++i) places[i + 1] = midpoint(m, c[i]);
-    return 4;
+/// Places on a piece with weights that add up to 1: the same in all links, so that what several sources add up to is consistent.
+struct Places {
+  std::array<Point, kPlaces> at;
+  std::array<double, kPlaces> weight{};
+  std::size_t count = 0;
+
+  void add(const Point& p, double w) {
+    at[count] = p;
+    weight[count++] = w;
   }
-  const SobolPoints points(tree.key(e));
-  for (std::uint32_t i = 0; i < kPlaces; ++i) places[i] = tree.sample(e, points.at(i, 0), points.at(i, 1));
-  return kPlaces;
+};
+
+/// The rule of degree 5 on a triangle. Source: Radon 1948; Stroud, Approximate Calculation of Multiple Integrals, T2:5-1.
+void add_triangle(const std::array<Point, 3>& c, const Point& centre, double share, Places& places) {
+  constexpr double kNear = 0.4701420641051151;  // barycentric coordinates (1 - 2a, a, a)
+  constexpr double kFar = 0.1012865073234563;
+  constexpr double kNearWeight = 0.1323941527885062;
+  constexpr double kFarWeight = 0.1259391805448271;
+  places.add(centre, 0.225 * share);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector out = c[i] - centre;
+    places.add(centre + (1.0 - 3.0 * kNear) * out, kNearWeight * share);
+    places.add(centre + (1.0 - 3.0 * kFar) * out, kFarWeight * share);
+  }
+}
+
+/// Triangles, and groups of two of them, get the rule of degree 5; larger groups stratified places.
+Places places_on(const mesh::ElementTree& tree, ElementId e) {
+  Places places;
+  if (tree.is_triangle(e)) {
+    add_triangle(tree.corners(e), tree.centroid(e), 1.0, places);
+  } else if (tree.start_triangle_count(e) == 2) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const ElementId child(tree.first_child(e).index() + k);
+      add_triangle(tree.corners(child), tree.centroid(child), tree.area(child) / tree.area(e), places);
+    }
+  } else {
+    const SobolPoints points(tree.key(e));
+    for (std::uint32_t i = 0; i < kPlaces; ++i) {
+      places.add(tree.sample(e, points.at(i, 0), points.at(i, 1)), 1.0 / kPlaces);
+    }
+  }
+  return places;
+}
+
+/// How the receiver's mean irradiance follows the first moments of the source's radiosity: by reciprocity the slopes of the
+/// form factor from the source's points to the receiver, times A_s / A_r. Visibility enters by its mean.
+void add_moments(const mesh::ElementTree& tree, const mesh::ShaftEnd& end_r, const mesh::ShaftEnd& end_s, double visible,
+                 Link& link) {
+  constexpr double kFar = 0.05;  // sources that look this small from the receiver are seen alike all over [rad]
+  const ElementId r = link.receiver;
+  const ElementId s = link.source.element();
+  if (tree.radius(s) < kFar * norm(tree.centroid(s) - tree.centroid(r))) return;
+  std::array<OutlineEdge, 3> scratch;
+  const auto outline = tree.outline(r, scratch);
+  const Places places = places_on(tree, s);
+  std::array<PlaneSample, kPlaces> samples;
+  for (std::size_t i = 0; i < places.count; ++i) {
+    const Vector d = places.at[i] - tree.centroid(s);
+    samples[i] = {dot(d, tree.axes(s).u), dot(d, tree.axes(s).v),
+                  point_form_factor(places.at[i], end_s.normal, outline, end_r.normal), places.weight[i]};
+  }
+  const LinearFit fit = fit_line(std::span(samples).first(places.count), false);
+  const double ratio = visible * tree.area(s) / tree.area(r);
+  link.moment_u = static_cast<float>(ratio * fit.line.slope_u);
+  link.moment_v = static_cast<float>(ratio * fit.line.slope_v);
 }
 
 /// Standard error of a factor whose visibility was sampled. A few rays that all pass, or all fail, prove nothing: the share that
@@ -175,56 +228,57 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   // Point form factors, weighted by the visibility of the source from each place.
   std::array<OutlineEdge, 3> scratch_s;
   const auto outline_s = tree.outline(s, scratch_s);
-  std::array<Point, kPlaces> places;
-  const std::size_t count = places_on(tree, r, places);
+  const Places places = places_on(tree, r);
   const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), tree.key(s)), seed_));
   const double lift = scene.rays->offset_m();
   std::array<PlaneSample, kPlaces> samples;
   double rays = 0.0;
   double passing = 0.0;
   double unoccluded = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector d = places[i] - tree.centroid(r);
-    const double factor = point_form_factor(places[i], end_r.normal, outline_s, end_s.normal);
-    samples[i] = {dot(d, tree.axes(r).u), dot(d, tree.axes(r).v), factor};
-    unoccluded += factor / static_cast<double>(count);
+  const std::size_t each = (kRays + places.count - 1) / places.count;
+  for (std::size_t i = 0; i < places.count; ++i) {
+    const Point& place = places.at[i];
+    const Vector d = place - tree.centroid(r);
+    const double factor = point_form_factor(place, end_r.normal, outline_s, end_s.normal);
+    samples[i] = {dot(d, tree.axes(r).u), dot(d, tree.axes(r).v), factor, places.weight[i]};
+    unoccluded += places.weight[i] * factor;
     if (link.visibility == Visibility::kVisible || factor <= 0.0) continue;
-    std::array<mesh::Segment, kRaysEach> segments;
-    std::array<float, kRaysEach> passed{};
-    std::array<double, kRaysEach> kernel{};
+    std::array<mesh::Segment, kRays> segments;
+    std::array<float, kRays> passed{};
+    std::array<double, kRays> kernel{};
     double all = 0.0;
-    for (std::size_t j = 0; j < kRaysEach; ++j) {
-      const auto n = static_cast<std::uint32_t>(i * kRaysEach + j);
+    for (std::size_t j = 0; j < each; ++j) {
+      const auto n = static_cast<std::uint32_t>(i * each + j);
       const Point q = tree.sample(s, points.at(n, 0), points.at(n, 1));
-      const Vector to = q - places[i];
+      const Vector to = q - place;
       const double distance2 = dot(to, to);
       kernel[j] = std::max(0.0, dot(to, end_r.normal)) * std::max(0.0, -dot(to, end_s.normal)) /
                   (distance2 * distance2);
       all += kernel[j];
-      segments[j] = {places[i] + lift * end_r.normal, q + lift * end_s.normal};
+      segments[j] = {place + lift * end_r.normal, q + lift * end_s.normal};
     }
-    scene.rays->transmittance(segments, passed);
+    scene.rays->transmittance(std::span(segments).first(each), std::span(passed).first(each));
     double seen = 0.0;
-    for (std::size_t j = 0; j < kRaysEach; ++j) {
+    for (std::size_t j = 0; j < each; ++j) {
       seen += kernel[j] * passed[j];
       passing += passed[j] > 0.0F ? 1.0 : 0.0;
     }
-    rays += kRaysEach;
+    rays += static_cast<double>(each);
     samples[i].value *= all > 0.0 ? seen / all : 0.0;
   }
-  const LinearFit fit = fit_line(std::span(samples).first(count));
-  double mean = 0.0;
-  for (std::size_t i = 0; i < count; ++i) mean += samples[i].value / static_cast<double>(count);
+  if (unoccluded <= 0.0) return std::nullopt;
+  const LinearFit fit = fit_line(std::span(samples).first(places.count), link.visibility == Visibility::kPartial);
+  double mean = fit.line.value;
   if (link.visibility == Visibility::kVisible && source_lies.all_in_front && receiver_lies.all_in_front) {
     std::array<OutlineEdge, 3> scratch_r;
     const auto outline_r = tree.outline(r, scratch_r);
     if (outline_r.size() * outline_s.size() <= kExactPairs) mean = exchange_area(outline_r, outline_s) / tree.area(r);
   }
-  if (unoccluded <= 0.0) return std::nullopt;
   link.factor = static_cast<float>(mean);
   link.slope_u = fit.line.slope_u;
   link.slope_v = fit.line.slope_v;
   link.error = static_cast<float>(fit.residual + visibility_noise(unoccluded, rays, passing));
+  add_moments(tree, end_r, end_s, mean / unoccluded, link);
   return link;
 }
 

@@ -27,13 +27,17 @@ class LinkSource {
   std::uint32_t value_ = 0;
 };
 
-/// Light from a source to a receiver: irradiance at the receiver's centroid and its slopes, per unit of the source's radiosity.
+/// Light from a source to a receiver, linear on both: the mean irradiance of the receiver and its slopes per unit of the source's
+/// mean radiosity, and the mean irradiance per unit of the first moments of the source's radiosity. Constant sources would lose
+/// flux, because what a receiver sees of a source and how bright it is there go together.
 struct Link {
   mesh::ElementId receiver;
   LinkSource source;
   float factor = 0.0F;   ///< form factor times visibility, transmittances included
   float slope_u = 0.0F;  ///< [1/m]
   float slope_v = 0.0F;
+  float moment_u = 0.0F;  ///< [1/m]
+  float moment_v = 0.0F;
   float error = 0.0F;    ///< of the factor over the receiver: what the line misses, and the noise of the visibility
   mesh::Visibility visibility = mesh::Visibility::kPartial;
 };

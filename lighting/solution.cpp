@@ -21,17 +21,23 @@ void Solution::grow() {
   gathered_.resize(n * channels());
   irradiance_.resize(n * channels());
   radiosity_.resize(n * channels(), 0.0F);
+  moments_.resize(n * channels());
   mean_.resize(n, 0.0F);
+  variance_.resize(n, 0.0F);
   deviation_.resize(n, 0.0F);
   error2_.resize(n, 0.0F);
   change_.resize(n, 0.0F);
 }
 
+void Solution::divide(ElementId e) {
+  tree_.split(e);
+  grow();
+}
+
 void Solution::open(ElementId e) {
   if (open_[e.index()] != 0) return;
   open_[e.index()] = 1;
-  if (!tree_.has_children(e)) tree_.split(e);
-  grow();
+  if (!tree_.has_children(e)) divide(e);
   // Until the next push the children show what their parent did.
   for (std::size_t k = 0; k < tree_.child_count(e); ++k) {
     const std::size_t child = tree_.first_child(e).index() + k;
@@ -101,38 +107,78 @@ void Solution::push(ElementId e, const ElementId* parent) {
 }
 
 void Solution::pull(ElementId e) {
+  if (is_open(e)) {
+    pull_children(e);
+  } else {
+    pull_element(e);
+  }
+  set_deviation(e);
+}
+
+void Solution::pull_element(ElementId e) {
+  const mesh::FaceSide side = tree_.face_side(e);
+  const mesh::SecondMoments& area = tree_.second_moments(e);
+  float mean = 0.0F;
+  double u = 0.0;
+  double v = 0.0;
+  for (std::size_t c = 0; c < channels(); ++c) {
+    const LinearValue& lux = irradiance_[e.index() * channels() + c];
+    const float rho = scene_->side_reflectance(side)[c];
+    const float weight = scene_->channel_weights[c];
+    radiosity_[e.index() * channels() + c] = scene_->side_exitance(side)[c] + rho * lux.value;
+    moments_[e.index() * channels() + c] = {static_cast<float>(rho * (area.uu * lux.slope_u + area.uv * lux.slope_v)),
+                                            static_cast<float>(rho * (area.uv * lux.slope_u + area.vv * lux.slope_v))};
+    mean += weight * radiosity_[e.index() * channels() + c];
+    u += weight * rho * lux.slope_u;
+    v += weight * rho * lux.slope_v;
+  }
+  change_[e.index()] = mean - mean_[e.index()];
+  mean_[e.index()] = mean;
+  variance_[e.index()] = static_cast<float>(u * u * area.uu + 2.0 * u * v * area.uv + v * v * area.vv);
+}
+
+void Solution::pull_children(ElementId e) {
   const std::size_t n = channels();
   float* radiosity = &radiosity_[e.index() * n];
-  if (!is_open(e)) {
-    const mesh::FaceSide side = tree_.face_side(e);
-    float mean = 0.0F;
-    for (std::size_t c = 0; c < n; ++c) {
-      radiosity[c] = scene_->side_exitance(side)[c] +
-                     scene_->side_reflectance(side)[c] * irradiance_[e.index() * n + c].value;
-      mean += scene_->channel_weights[c] * radiosity[c];
-    }
-    change_[e.index()] = mean - mean_[e.index()];
-    mean_[e.index()] = mean;
-    deviation_[e.index()] = 0.0F;
-    return;
-  }
+  Moments* moments = &moments_[e.index() * n];
   std::fill_n(radiosity, n, 0.0F);
+  std::fill_n(moments, n, Moments{});
   double mean = 0.0;
   double square = 0.0;
   for (std::size_t k = 0; k < tree_.child_count(e); ++k) {
     const ElementId child(tree_.first_child(e).index() + k);
     pull(child);
-    const double share = tree_.area(child) / tree_.area(e);
+    const auto share = static_cast<float>(tree_.area(child) / tree_.area(e));
+    const Vector d = tree_.centroid(child) - tree_.centroid(e);
+    const auto du = static_cast<float>(dot(d, tree_.axes(e).u));
+    const auto dv = static_cast<float>(dot(d, tree_.axes(e).v));
     for (std::size_t c = 0; c < n; ++c) {
-      radiosity[c] += static_cast<float>(share) * radiosity_[child.index() * n + c];
+      const float b = radiosity_[child.index() * n + c];
+      const Moments& m = moments_[child.index() * n + c];
+      radiosity[c] += share * b;
+      moments[c].u += share * (m.u + b * du);
+      moments[c].v += share * (m.v + b * dv);
     }
     const double m = mean_[child.index()];
-    const double d = deviation_[child.index()];
     mean += share * m;
-    square += share * (m * m + d * d);
+    square += share * (m * m + variance_[child.index()]);
   }
   mean_[e.index()] = static_cast<float>(mean);
-  deviation_[e.index()] = static_cast<float>(std::sqrt(std::max(0.0, square - mean * mean)));
+  variance_[e.index()] = static_cast<float>(std::max(0.0, square - mean * mean));
+}
+
+void Solution::set_deviation(ElementId e) {
+  // What the line through the node explains, comes off the variance.
+  const mesh::SecondMoments& area = tree_.second_moments(e);
+  double u = 0.0;
+  double v = 0.0;
+  for (std::size_t c = 0; c < channels(); ++c) {
+    u += scene_->channel_weights[c] * moments_[e.index() * channels() + c].u;
+    v += scene_->channel_weights[c] * moments_[e.index() * channels() + c].v;
+  }
+  const double determinant = area.uu * area.vv - area.uv * area.uv;
+  const double explained = determinant > 0.0 ? (u * u * area.vv - 2.0 * u * v * area.uv + v * v * area.uu) / determinant : 0.0;
+  deviation_[e.index()] = static_cast<float>(std::sqrt(std::max(0.0, variance_[e.index()] - explained)));
 }
 
 double Solution::push_pull() {

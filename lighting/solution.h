@@ -18,6 +18,12 @@ struct LinearValue {
   float slope_v = 0.0F;
 };
 
+/// First moments of a value over a planar node, per area.
+struct Moments {
+  float u = 0.0F;
+  float v = 0.0F;
+};
+
 /// The unknown: irradiance and radiosity of the elements, nodes × channels. Nodes above the open ones carry averages. A node is open
 /// when its children take part; nodes that take part and are not open are the elements of the solution.
 class Solution {
@@ -31,6 +37,8 @@ class Solution {
   [[nodiscard]] bool is_open(mesh::ElementId e) const { return open_[e.index()] != 0; }
   /// Makes the children of a node take part, splitting it if it has none. Serial.
   void open(mesh::ElementId e);
+  /// Splits a triangle without making its children take part: they are there to be told apart. Serial.
+  void divide(mesh::ElementId e);
 
   /// The element that holds a point of a face side; invalid where the side carries none.
   [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, const mesh::Point& point) const;
@@ -54,9 +62,15 @@ class Solution {
   [[nodiscard]] std::span<const float> radiosity(mesh::ElementId e) const {
     return std::span(radiosity_).subspan(e.index() * channels(), channels());
   }
-  /// Luminance-weighted mean radiosity and its standard deviation inside a node.
+  /// First moments of the radiosity about the centroid, per area [lm/m², times m].
+  [[nodiscard]] std::span<const Moments> moments(mesh::ElementId e) const {
+    return std::span(moments_).subspan(e.index() * channels(), channels());
+  }
+  /// Luminance-weighted mean radiosity, and the standard deviation inside the node from the line through it.
   [[nodiscard]] float radiosity_mean(mesh::ElementId e) const { return mean_[e.index()]; }
   [[nodiscard]] float radiosity_deviation(mesh::ElementId e) const { return deviation_[e.index()]; }
+  /// Variance of the radiosity inside a node, lines included.
+  [[nodiscard]] float radiosity_variance(mesh::ElementId e) const { return variance_[e.index()]; }
 
   /// Adds to the squared error of what a node receives [lux²]; element_error() sums its own and its parents' [lux].
   void add_error(mesh::ElementId e, double squared_lux2) { error2_[e.index()] += static_cast<float>(squared_lux2); }
@@ -73,6 +87,9 @@ class Solution {
  private:
   void push(mesh::ElementId e, const mesh::ElementId* parent);
   void pull(mesh::ElementId e);
+  void pull_element(mesh::ElementId e);
+  void pull_children(mesh::ElementId e);
+  void set_deviation(mesh::ElementId e);
   void grow();
 
   const Scene* scene_;
@@ -82,7 +99,9 @@ class Solution {
   std::vector<LinearValue> gathered_;
   std::vector<LinearValue> irradiance_;
   std::vector<float> radiosity_;
+  std::vector<Moments> moments_;
   std::vector<float> mean_;
+  std::vector<float> variance_;   ///< inside the node, luminance
   std::vector<float> deviation_;
   std::vector<float> error2_;
   std::vector<float> change_;  ///< of an element's radiosity in the last push_pull, luminance

@@ -25,6 +25,17 @@ std::array<Point, 3> points_of(const Triangulation& mesh, const std::array<std::
   return {mesh.vertices[vertices[0]], mesh.vertices[vertices[1]], mesh.vertices[vertices[2]]};
 }
 
+/// Of a triangle: a twelfth of the sum over its corners.
+SecondMoments moments_about(const Point& centre, const std::array<Point, 3>& c, const Frame& axes) {
+  SecondMoments sum;
+  for (const Point& p : c) {
+    const double u = dot(p - centre, axes.u);
+    const double v = dot(p - centre, axes.v);
+    sum = {sum.uu + u * u / 12.0, sum.uv + u * v / 12.0, sum.vv + v * v / 12.0};
+  }
+  return sum;
+}
+
 /// Uniform points of a triangle from the unit square, continuous and area-preserving.
 /// Source: Heitz, A Low-Distortion Map Between Triangle and Square, 2019.
 Point in_triangle(const std::array<Point, 3>& c, double a, double b) {
@@ -97,6 +108,7 @@ void ElementTree::finish_triangle(Node& triangle, const std::array<Point, 3>& co
   triangle.triangle = true;
   triangle.area = triangle_area(corners);
   triangle.centroid = mean(corners);
+  triangle.moments = moments_about(triangle.centroid, corners, side_axes_[triangle.face_side]);
   for (const Point& c : corners) triangle.radius = std::max(triangle.radius, norm(c - triangle.centroid));
   triangle.shape = static_cast<std::uint32_t>(corners_.size());
   corners_.push_back(corners);
@@ -113,6 +125,7 @@ void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
     moment = moment + area * (mean(c) - origin);
   }
   group.centroid = origin + moment / group.area;
+  add_second_moments(mesh, group);
 
   // The outline is what is left of the edges when those with their own reverse are taken away.
   Group shape;
@@ -140,6 +153,20 @@ void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
   shape.edge_count = static_cast<std::uint32_t>(edges_.size()) - shape.first_edge;
   group.shape = static_cast<std::uint32_t>(groups_.size());
   groups_.push_back(shape);
+}
+
+void ElementTree::add_second_moments(const Triangulation& mesh, Node& group) {
+  const Frame& axes = side_axes_[group.face_side];
+  SecondMoments& sum = group.moments;
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const auto c = points_of(mesh, start_[i]);
+    const Point centre = mean(c);
+    const SecondMoments own = moments_about(centre, c, axes);
+    const double share = triangle_area(c) / group.area;
+    const double u = dot(centre - group.centroid, axes.u);
+    const double v = dot(centre - group.centroid, axes.v);
+    sum = {sum.uu + share * (own.uu + u * u), sum.uv + share * (own.uv + u * v), sum.vv + share * (own.vv + v * v)};
+  }
 }
 
 void ElementTree::split_group(const Triangulation& mesh, std::uint32_t group) {
@@ -265,6 +292,15 @@ bool ElementTree::holds(const Node& node, const Point& point, double slack) cons
   return u >= box[0] - edge && u <= box[2] + edge && v >= box[1] - edge && v <= box[3] + edge;
 }
 
+ElementId ElementTree::child_at(ElementId e, const Point& point) const {
+  assert(is_triangle(e));
+  const std::uint32_t first = node(e).first_child;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (holds(nodes_[first + k], point, kEdgeSlack)) return ElementId(first + k);
+  }
+  return ElementId(first + 3);
+}
+
 ElementId ElementTree::find(FaceSide side, const Point& point) const {
   const auto roots = roots_of(side);
   if (roots.empty()) return {};
@@ -279,20 +315,9 @@ ElementId ElementTree::find(FaceSide side, const Point& point) const {
         const Node& n = nodes_[id];
         if (!holds(n, point, slack)) continue;
         if (n.triangle) {
-          // Below a triangle one child always holds the point: the one that it lies in, or the nearest.
-          std::uint32_t deepest = id;
-          while (nodes_[deepest].first_child != ElementId::kNone) {
-            const std::uint32_t first = nodes_[deepest].first_child;
-            std::uint32_t next = first + 3;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-              if (holds(nodes_[first + k], point, kEdgeSlack)) {
-                next = first + k;
-                break;
-              }
-            }
-            deepest = next;
-          }
-          return ElementId(deepest);
+          ElementId deepest(id);
+          while (has_children(deepest)) deepest = child_at(deepest, point);
+          return deepest;
         }
         stack[depth++] = n.first_child + 1;
         stack[depth++] = n.first_child;

@@ -18,6 +18,13 @@ struct OutlineEdge {
   Point to;
 };
 
+/// Second moments of a planar piece about its centroid, per area [m²], along the axes of its side.
+struct SecondMoments {
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+};
+
 /// The hierarchy of planar elements. Under each region of a face side stands a binary tree of groups of start triangles (the
 /// constrained triangulation); under each start triangle a quadtree of triangles that grows by split(). Every node, group or
 /// triangle, is a planar surface with an outline, so that all of them exchange light by the same formulas.
@@ -50,6 +57,7 @@ class ElementTree {
   [[nodiscard]] const Point& centroid(ElementId e) const { return node(e).centroid; }
   /// Largest distance of a corner from the centroid [m].
   [[nodiscard]] double radius(ElementId e) const { return node(e).radius; }
+  [[nodiscard]] const SecondMoments& second_moments(ElementId e) const { return node(e).moments; }
   [[nodiscard]] int level(ElementId e) const { return node(e).level; }
   [[nodiscard]] std::uint64_t key(ElementId e) const { return node(e).key; }
   [[nodiscard]] bool is_triangle(ElementId e) const { return node(e).triangle; }
@@ -68,6 +76,8 @@ class ElementTree {
   /// Splits a triangle without children into four by its edges' midpoints. Serial.
   void split(ElementId e);
 
+  /// The child of a triangle that holds a point of it, or is nearest.
+  [[nodiscard]] ElementId child_at(ElementId e, const Point& point) const;
   /// The deepest node of a face side that holds a point of its plane; invalid where the side carries no elements.
   [[nodiscard]] ElementId find(FaceSide side, const Point& point) const;
 
@@ -76,6 +86,7 @@ class ElementTree {
     Point centroid;
     double area = 0.0;
     double radius = 0.0;
+    SecondMoments moments;
     std::uint64_t key = 0;
     std::uint32_t parent = ElementId::kNone;
     std::uint32_t first_child = ElementId::kNone;
@@ -98,6 +109,7 @@ class ElementTree {
   void add_region(const Triangulation& mesh, std::vector<Triangle> triangles, FaceSide side);
   void build_groups(const Triangulation& mesh, std::uint32_t root);
   void finish_group(const Triangulation& mesh, Node& group);
+  void add_second_moments(const Triangulation& mesh, Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
   void split_group(const Triangulation& mesh, std::uint32_t group);
   [[nodiscard]] bool holds(const Node& node, const Point& point, double slack) const;
