@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/face_drafts.h"
+#include "mesh/plane_meetings.h"
 
 namespace clerestory::mesh {
 
@@ -15,17 +16,9 @@ constexpr int kMaxRounds = 16;
 
 using EdgeSet = std::unordered_set<Edge, EdgeHash>;
 
-/// Splits by edge; vertices of one edge are gathered in any order.
-using Pending = std::unordered_map<Edge, std::vector<std::uint32_t>, EdgeHash>;
-
-template <class Visit>
-void for_each_segment(const FaceDraft& face, const Visit& visit) {
-  for (const auto& [a, b] : face.boundary) visit(edge_between(a, b));
-  for (const Edge& e : face.lines) visit(e);
-}
-
 /// Vertices on edges: on edges not seen before all of them, on the others those that have come since.
-void find_vertices_on_edges(const FaceDrafts& drafts, EdgeSet& seen, std::size_t& seen_vertices, Pending& pending) {
+void find_vertices_on_edges(const FaceDrafts& drafts, EdgeSet& seen, std::size_t& seen_vertices,
+                            PendingSplits& pending) {
   const std::span<const Point> points = drafts.vertices.points();
   const SegmentSearch all(points, drafts.tolerance);
   const SegmentSearch fresh(points, drafts.tolerance, seen_vertices);
@@ -41,66 +34,8 @@ void find_vertices_on_edges(const FaceDrafts& drafts, EdgeSet& seen, std::size_t
   seen_vertices = points.size();
 }
 
-/// Crossings of the segments of one face, in its plane.
-class CrossingSearch {
- public:
-  CrossingSearch(FaceDrafts& drafts, const FaceDraft& face, Pending& pending)
-      : drafts_(drafts), face_(face), pending_(pending) {
-    EdgeSet known;
-    for_each_segment(face, [&](const Edge& edge) {
-      if (!known.insert(edge).second) return;
-      segments_.push_back(edge);
-      places_.push_back(
-          {face_.plane.project(drafts_.vertices[edge[0]]), face_.plane.project(drafts_.vertices[edge[1]])});
-      Box box;
-      for (const Point2& p : places_.back()) box.add(Point{p.x, p.y, 0.0});
-      boxes_.push_back(box);
-    });
-  }
-
-  void run() {
-    const BoxTree tree(boxes_);
-    for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-      tree.visit([&](const Box& box) { return overlap(boxes_[i], box); },
-                 [&](std::uint32_t j) {
-                   if (j > i) look_at(i, j);
-                 });
-    }
-  }
-
- private:
-  void look_at(std::uint32_t i, std::uint32_t j) {
-    const Edge& e = segments_[i];
-    const Edge& f = segments_[j];
-    if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1]) return;
-    const auto& [a, b] = places_[i];
-    const auto& [c, d] = places_[j];
-    const double sa = doubled_area(c, d, a);
-    const double sb = doubled_area(c, d, b);
-    const double sc = doubled_area(a, b, c);
-    const double sd = doubled_area(a, b, d);
-    if (sa * sb >= 0.0 || sc * sd >= 0.0) return;
-    const Point& p = drafts_.vertices[e[0]];
-    const Point& q = drafts_.vertices[e[1]];
-    const std::uint32_t vertex = drafts_.vertices.add(p + (sa / (sa - sb)) * (q - p));
-    split(e, vertex);
-    split(f, vertex);
-  }
-
-  void split(const Edge& edge, std::uint32_t vertex) {
-    if (vertex != edge[0] && vertex != edge[1]) pending_[edge].push_back(vertex);
-  }
-
-  FaceDrafts& drafts_;
-  const FaceDraft& face_;
-  Pending& pending_;
-  std::vector<Edge> segments_;
-  std::vector<PlanarOutline::Segment> places_;
-  std::vector<Box> boxes_;
-};
-
 /// Vertices of each edge in order along it, each once.
-EdgeSplits in_order(const FaceDrafts& drafts, Pending&& pending) {
+EdgeSplits in_order(const FaceDrafts& drafts, PendingSplits&& pending) {
   for (auto& [edge, vertices] : pending) {
     const Point& a = drafts.vertices[edge[0]];
     const Vector d = drafts.vertices[edge[1]] - a;
@@ -160,12 +95,12 @@ void split_at_meetings(FaceDrafts& drafts) {
   std::size_t seen_vertices = 0;
   std::vector<bool> changed(drafts.faces.size(), true);
   for (int round = 0; round < kMaxRounds; ++round) {
-    Pending pending;
+    PendingSplits pending;
     find_vertices_on_edges(drafts, seen, seen_vertices, pending);
-    // Crossings are sought where all vertices are in their edges already: most of them then are none any more.
+    // Planes are looked at where all vertices are in their edges already: then little is left to meet there.
     if (pending.empty()) {
       for (std::size_t f = 0; f < drafts.faces.size(); ++f) {
-        if (changed[f]) CrossingSearch(drafts, drafts.faces[f], pending).run();
+        if (changed[f]) find_meetings_in_plane(drafts, drafts.faces[f], pending);
         changed[f] = false;
       }
     }

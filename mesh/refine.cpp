@@ -9,6 +9,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -33,6 +34,21 @@ using Structure = CGAL::Triangulation_data_structure_2<Vertices, Cells>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
+
+/// Edges shorter than this cannot be halved often enough before coordinates run out of digits [m].
+constexpr double kShortestEdge = 1e-8;
+
+bool has_edge_too_short(const PlanarMesh& mesh) {
+  const auto too_short = [&](const PlanarTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point2& a = mesh.points[t.vertices[k]];
+      const Point2& b = mesh.points[t.vertices[(k + 1) % 3]];
+      if (std::hypot(b.x - a.x, b.y - a.y) < kShortestEdge) return true;
+    }
+    return false;
+  };
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), too_short);
+}
 
 Cdt build(const PlanarMesh& mesh) {
   Cdt cdt;
@@ -112,6 +128,7 @@ PlanarMesh extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel:
 }  // namespace
 
 std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& options) {
+  if (has_edge_too_short(mesh)) return std::nullopt;
   Cdt cdt = build(mesh);
   const std::vector<Kernel::Point_2> seeds = seeds_of(mesh);
   // CGAL bounds the squared sine of the smallest angle.
