@@ -40,11 +40,24 @@ double area_m2(const lighting::SurfaceResult& surfaces, std::size_t cell) {
          norm(cross(surfaces.points[c[1]] - surfaces.points[c[0]], surfaces.points[c[2]] - surfaces.points[c[0]]));
 }
 
-Deviation radiosity_deviation(const lighting::SurfaceResult& surfaces) {
+/// Whether a cell is the floor under a piece of furniture, or what else lies inside it: that place is dark.
+bool covered(const lighting::SurfaceResult& surfaces, std::size_t cell, const std::vector<mesh::Box>& furniture) {
+  const auto& c = surfaces.cells[cell];
+  const mesh::Point& a = surfaces.points[c[0]];
+  const mesh::Point p = a + ((surfaces.points[c[1]] - a) + (surfaces.points[c[2]] - a)) / 3.0;
+  constexpr double kInside_m = 1e-4;
+  return std::any_of(furniture.begin(), furniture.end(), [&](const mesh::Box& box) {
+    return p.x > box.low.x + kInside_m && p.x < box.high.x - kInside_m && p.y > box.low.y + kInside_m &&
+           p.y < box.high.y - kInside_m && p.z > box.low.z - kInside_m && p.z < box.high.z;
+  });
+}
+
+Deviation radiosity_deviation(const lighting::SurfaceResult& surfaces, const std::vector<mesh::Box>& furniture = {}) {
   Deviation d;
   double area = 0.0;
   for (std::size_t c = 0; c < surfaces.cells.size(); ++c) {
     if (surfaces.side[c] != 0) continue;  // backs do not shine, and see nothing that does
+    if (covered(surfaces, c, furniture)) continue;
     const double relative = surfaces.radiosity_lm_m2[c] / kExact - 1.0;
     const double a = area_m2(surfaces, c);
     area += a;
@@ -85,23 +98,24 @@ TEST(Furnace, ConvexBoxIsExactToOneInTenThousand) {
     EXPECT_LE(sensor_deviation(results), 1e-4);
     EXPECT_LE(std::abs(results.energy.residual), 1e-4);
     EXPECT_LE(results.energy.closure, 1e-4);
-    EXPECT_LE(results.energy.reciprocity, 1e-3);
+    EXPECT_LE(results.energy.reciprocity, 1e-4);
   }
 }
 
 /// Scenes where visibility is sampled: bounds are a quarter of the accuracy asked; sensors keep what an accuracy promises.
-void expect_furnace(const char* what, mesh::Model model, double accuracy) {
+void expect_furnace(const char* what, mesh::Model model, double accuracy,
+                    const std::vector<mesh::Box>& furniture = {}) {
   lighting::Study study = furnace(std::move(model), accuracy);
   add_sensors_everywhere(study, 0.9);
   const lighting::Results results = answer(study);
-  const Deviation d = radiosity_deviation(results.surfaces);
+  const Deviation d = radiosity_deviation(results.surfaces, furniture);
   print_run(what, results, d);
   EXPECT_LE(std::abs(d.mean), accuracy / 4) << what;
   EXPECT_LE(d.rms, accuracy / 4) << what;
   EXPECT_LE(sensor_deviation(results), 2.0 * accuracy) << what;
   EXPECT_LE(std::abs(results.energy.residual), accuracy / 4) << what;
   EXPECT_LE(results.energy.closure, accuracy / 4) << what;
-  EXPECT_LE(results.energy.reciprocity, 1e-3) << what;
+  EXPECT_LE(results.energy.reciprocity, accuracy / 4) << what;
 }
 
 TEST(Furnace, LRoomIsExactToAQuarterOfTheAccuracy) {
@@ -111,31 +125,38 @@ TEST(Furnace, LRoomIsExactToAQuarterOfTheAccuracy) {
 
 TEST(Furnace, FurnishedRoomIsExactToAQuarterOfTheAccuracy) {
   mesh::Model model = support::box_room(4, 5, 3);
-  support::add_table(model, {1.0, 0.5, 0.0}, "table 1");
-  support::add_table(model, {1.2, 3.0, 0.0}, "table 2");
-  support::add_box(model, {2.9, 2.0, 0.0}, {3.6, 2.4, 1.8}, {.material = "wood", .part = "shelf"});
-  expect_furnace("furnished room, 2 %", std::move(model), 0.02);
+  std::vector<mesh::Box> furniture;
+  for (const mesh::Point& corner : {mesh::Point{1.0, 0.5, 0.0}, mesh::Point{1.2, 3.0, 0.0}}) {
+    support::add_table(model, corner);
+    for (const double dx : {0.0, 1.55})
+      for (const double dy : {0.0, 0.75})
+        furniture.push_back({corner + mesh::Vector{dx, dy, 0}, corner + mesh::Vector{dx + 0.05, dy + 0.05, 0.7201}});
+  }
+  const mesh::Box shelf{{2.9, 2.0, 0.0}, {3.6, 2.4, 1.8}};
+  support::add_box(model, shelf.low, shelf.high, {.material = "wood", .part = "shelf"});
+  furniture.push_back({shelf.low, shelf.high - mesh::Vector{0, 0, 1e-3}});
+  expect_furnace("furnished room, 2 %", std::move(model), 0.02, furniture);
 }
 
-/// Checks that every run reports of itself, on the reference scenes.
-void expect_balance(const std::string& name, double accuracy) {
+/// The checks that every run reports of itself, on the reference scenes.
+void expect_balance(const std::string& name, double accuracy, double bound) {
   const auto path = write_validation_study(name, testing::TempDir() + "clerestory-balance", accuracy);
   const lighting::Results results = answer(io::read_study(path).study);
   std::printf("[ FIGURES  ] %s at %.0f %%: balance %+.1e, reciprocity %.1e, closure %.1e\n", name.c_str(),
-              100 * accuracy, results.energy.residual, results.energy.reciprocity, results.energy.closure);
-  EXPECT_LE(std::abs(results.energy.residual), accuracy / 4) << name;
-  EXPECT_LE(results.energy.closure, accuracy / 4) << name;
-  EXPECT_LE(results.energy.reciprocity, 1e-3) << name;
+              100.0 * accuracy, results.energy.residual, results.energy.reciprocity, results.energy.closure);
+  EXPECT_LE(std::abs(results.energy.residual), bound) << name;
+  EXPECT_LE(results.energy.closure, bound) << name;
+  EXPECT_LE(results.energy.reciprocity, bound) << name;
 }
 
-TEST(EnergyBalance, LampRoomClosesToAQuarterOfTheAccuracy) {
+TEST(EnergyBalance, ClosesInTheEmptyLampRoomToOneInTenThousand) {
   CLERESTORY_NEEDS_VALIDATION("lamp-room");
-  expect_balance("lamp-room", 0.02);
+  expect_balance("lamp-room", 0.02, 1e-4);
 }
 
-TEST(EnergyBalance, OfficeClosesToAQuarterOfTheAccuracy) {
+TEST(EnergyBalance, ClosesInTheOfficeToAQuarterOfTheAccuracy) {
   CLERESTORY_NEEDS_VALIDATION("office");
-  expect_balance("office", 0.04);
+  expect_balance("office", 0.02, 0.02 / 4);
 }
 
 }  // namespace
