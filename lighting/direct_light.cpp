@@ -23,14 +23,20 @@ using mesh::Vector;
 
 namespace {
 
-constexpr std::uint32_t kPoints = 8;        ///< places on a node
-constexpr std::uint32_t kDirections = 16;   ///< from each place towards each opening, and into the open hemisphere
-constexpr std::uint32_t kProbes = 4;        ///< of them, enough to see that a place sees no sky at all
+constexpr std::uint32_t kPoints = 8;        ///< places on a node, to see how light changes over it
+constexpr std::uint32_t kDirections = 8;    ///< from each place towards each opening, and into the open hemisphere
+/// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
+/// direction of its own, stratified in all four dimensions.
+constexpr std::uint32_t kProbes = 256;
+constexpr std::uint32_t kBatches = 8;       ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kFirstRays = 32;    ///< a batch and opening, to begin with
+constexpr std::uint32_t kMostRays = 512;
 constexpr double kSmallest = 0.02;          ///< nodes of a smaller radius are not opened [m]
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
-/// A node whose importance lies this unevenly is not trusted by what a few places on it show.
-constexpr double kUneven = 0.3;
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
+
+/// Stands for the sky seen through no opening, where an opening's number is asked for.
+constexpr std::int32_t kOpenSky = -1;
 
 /// A surface seen through an opening.
 struct SeenBeyond {
@@ -45,25 +51,34 @@ struct Candidate {
   bool open_sky = true;                 ///< may see the sky by no opening
 };
 
-struct Estimate {
-  LinearFit fit;           ///< of sky and point sources and the guess of what is beyond
-  double received = 0.0;   ///< sky and point sources alone, mean [lux]
-  double total = 0.0;      ///< with the guess of what is beyond
+/// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
+/// is left to measure().
+struct Survey {
+  LinearFit fit;         ///< of sky, point sources and the guess of what lies beyond openings
+  double received = 0.0; ///< sky and point sources alone, mean [lux]
+  double total = 0.0;    ///< with the guess of what is beyond
+  Candidate below;       ///< what the node, or its children, need to look at
+};
+
+/// What a node receives on the mean, with independent places and directions.
+struct Measurement {
+  double received = 0.0;  ///< [lux]
+  double total = 0.0;
+  double noise = 0.0;     ///< standard error of total [lux]
   std::vector<SeenBeyond> beyond;
-  Candidate below;         ///< what the children need to look at
 };
 
 /// Adds up what rays from a node end on.
 struct Collector {
   const Scene* scene;
-  bool surfaces_count;
+  bool surfaces_count = false;
+  std::vector<SeenBeyond>* beyond = nullptr;  ///< where asked for
   double sky_lux = 0.0;
   double guess_lux = 0.0;
-  std::vector<SeenBeyond>* beyond = nullptr;
 
   void surface(FaceSide side, const Point& at, float weight, bool) {
     if (!surfaces_count) return;
-    beyond->push_back({side, at, weight});
+    if (beyond != nullptr) beyond->push_back({side, at, weight});
     const float rho = luminance(scene->side_reflectance(side), scene->channel_weights);
     const float own = luminance(scene->side_exitance(side), scene->channel_weights);
     guess_lux += weight * (own + rho * kBeyondGuess * scene->sky.horizontal_illuminance_lux);
@@ -79,47 +94,82 @@ class NodeSampler {
     for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
   }
 
-  [[nodiscard]] Estimate estimate(const Candidate& candidate) const {
+  [[nodiscard]] Survey survey(const Candidate& candidate) const {
     const mesh::ElementTree& tree = solution_.tree();
     const ElementId e = candidate.node;
-    Estimate result;
+    Survey result;
+    result.below.node = e;
     result.below.open_sky = false;
     const std::uint64_t key = mesh::hash(seed_, tree.key(e));
-    std::array<PlaneSample, kPoints> samples;
-    const SobolPoints places(key);
+    Places places;
+    const SobolPoints numbers(key);
     for (std::uint32_t i = 0; i < kPoints; ++i) {
-      const Point p = tree.sample(e, places.at(i, 0), places.at(i, 1));
+      const Point p = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1));
       const Vector d = p - tree.centroid(e);
-      samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
-      points_on_node_[i] = p + scene().rays->offset_m() * tree.normal(e);
+      places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
+      places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
     }
     for (const std::uint32_t k : candidate.openings) {
-      if (!may_see(e, k)) continue;
-      if (through_opening(e, k, mesh::hash(key, k), samples, result)) result.below.openings.push_back(k);
+      if (!may_see(e, k) || !sees(e, static_cast<std::int32_t>(k))) continue;
+      result.below.openings.push_back(k);
+      survey_opening(e, k, mesh::hash(key, k), places, result);
     }
-    if (candidate.open_sky && scene().has_sky()) open_sky(e, mesh::hash(key, 0xFFFF), samples, result);
-    point_sources(e, samples, result);
-    result.fit = fit_line(samples, true);
+    if (candidate.open_sky && scene().has_sky() && sees(e, kOpenSky)) {
+      result.below.open_sky = true;
+      survey_sky(e, mesh::hash(key, 0xFFFF), places, result);
+    }
+    survey_point_sources(e, places, result);
+    result.fit = fit_line(places.samples, true);
+    return result;
+  }
+
+  /// @param noise_lux  the noise that the mean may have
+  [[nodiscard]] Measurement measure(const Survey& survey, double noise_lux) const {
+    const ElementId e = survey.below.node;
+    Measurement result;
+    for (std::uint32_t rays = kFirstRays;; rays *= 2) {
+      result = {};
+      double variance = 0.0;
+      for (const std::uint32_t k : survey.below.openings) {
+        variance += sample_part(e, static_cast<std::int32_t>(k), rays, result);
+      }
+      if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
+      result.noise = std::sqrt(variance);
+      if (result.noise <= noise_lux || rays >= kMostRays) break;
+    }
+    const double by_points = point_source_mean(e);
+    result.received += by_points;
+    result.total += by_points;
     return result;
   }
 
  private:
+  struct Places {
+    std::array<PlaneSample, kPoints> samples;
+    std::array<Point, kPoints> lifted;
+  };
+
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
 
   static mesh::ShaftEnd shaft_end(const Opening& opening);
   [[nodiscard]] bool may_see(ElementId e, std::uint32_t k) const;
-  bool through_opening(ElementId e, std::uint32_t k, std::uint64_t key, std::span<PlaneSample> samples,
-                       Estimate& result) const;
-  void open_sky(ElementId e, std::uint64_t key, std::span<PlaneSample> samples, Estimate& result) const;
-  void point_sources(ElementId e, std::span<PlaneSample> samples, Estimate& result) const;
+  [[nodiscard]] bool sees(ElementId e, std::int32_t opening) const;
+  void survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const;
+  void survey_sky(ElementId e, std::uint64_t key, Places& places, Survey& result) const;
+  void survey_point_sources(ElementId e, Places& places, Survey& result) const;
+  double sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, Measurement& result) const;
+  struct Start {
+    Point at;
+    Vector direction;
+    double weight = 0.0;  ///< share of the cosine-weighted hemisphere that the ray stands for
+  };
+  [[nodiscard]] Start start(ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
+  [[nodiscard]] double point_source_mean(ElementId e) const;
 
   const Solution& solution_;
   std::uint64_t seed_;
   std::vector<mesh::ShaftEnd> ends_;
-  static thread_local std::array<Point, kPoints> points_on_node_;
 };
-
-thread_local std::array<Point, kPoints> NodeSampler::points_on_node_;
 
 mesh::ShaftEnd NodeSampler::shaft_end(const Opening& opening) {
   // The bounding rectangle in the opening's plane.
@@ -156,83 +206,142 @@ bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
   return scene().shafts->classify(own, end) != mesh::Visibility::kHidden;
 }
 
-bool NodeSampler::through_opening(ElementId e, std::uint32_t k, std::uint64_t key, std::span<PlaneSample> samples,
-                                  Estimate& result) const {
+void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const {
   const Vector& normal = solution_.tree().normal(e);
-  // The same numbers at every place: differences between places are then the light's own.
   const SobolPoints numbers(key);
-  bool seen = false;
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const Point& at = points_on_node_[i];
-    const OpeningSampler sampler(at, scene().openings[k].triangles);
+    const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
     for (std::uint32_t j = 0; j < kDirections; ++j) {
       const SolidAngleSample s = sampler.sample(numbers.at(j, 0), numbers.at(j, 1));
       const double cosine = dot(s.direction, normal);
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
-      // Weights are shares of the cosine-weighted hemisphere; over the places they average to the node's factor.
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
-      Collector collector{&scene(), true, 0.0, 0.0, &result.beyond};
-      const std::size_t first = result.beyond.size();
-      follow(scene(), at, s.direction, 1.0F,
+      Collector collector{&scene(), true};
+      follow(scene(), places.lifted[i], s.direction, 1.0F,
              PathRule{PathRule::Part::kOpening, static_cast<std::int32_t>(k), false}, collector);
-      for (std::size_t b = first; b < result.beyond.size(); ++b) {
-        result.beyond[b].factor *= static_cast<float>(weight / kPoints);
-      }
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
-      seen = seen || lux > 0.0 || result.beyond.size() > first;
-      samples[i].value += lux;
+      places.samples[i].value += lux;
       result.received += weight * collector.sky_lux / kPoints;
       result.total += lux / kPoints;
     }
   }
-  return seen;
 }
 
-void NodeSampler::open_sky(ElementId e, std::uint64_t key, std::span<PlaneSample> samples, Estimate& result) const {
+void NodeSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, Survey& result) const {
   const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
   const SobolPoints numbers(key);
-  std::array<double, kPoints> lux{};
-  double all = 0.0;
-  std::uint32_t done = 0;
-  for (const std::uint32_t until : {kProbes, kDirections}) {
-    for (; done < until; ++done) {
-      const Vector d = cosine_direction(frame, numbers.at(done, 0), numbers.at(done, 1));
-      for (std::uint32_t i = 0; i < kPoints; ++i) {
-        Collector collector{&scene(), false, 0.0, 0.0, nullptr};
-        follow(scene(), points_on_node_[i], d, 1.0F, PathRule{PathRule::Part::kGather, -1, false}, collector);
-        lux[i] += collector.sky_lux;
-        all += collector.sky_lux;
-      }
-    }
-    if (all <= 0.0) return;
-  }
-  result.below.open_sky = true;
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    samples[i].value += lux[i] / kDirections;
-    result.received += lux[i] / kDirections / kPoints;
-    result.total += lux[i] / kDirections / kPoints;
+    for (std::uint32_t j = 0; j < kDirections; ++j) {
+      const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
+      Collector collector{&scene()};
+      follow(scene(), places.lifted[i], d, 1.0F, PathRule{PathRule::Part::kGather, -1, false}, collector);
+      places.samples[i].value += collector.sky_lux / kDirections;
+      result.received += collector.sky_lux / (kDirections * kPoints);
+      result.total += collector.sky_lux / (kDirections * kPoints);
+    }
   }
 }
 
-void NodeSampler::point_sources(ElementId e, std::span<PlaneSample> samples, Estimate& result) const {
+void NodeSampler::survey_point_sources(ElementId e, Places& places, Survey& result) const {
   const Vector& normal = solution_.tree().normal(e);
   for (const PointSource& source : scene().point_sources) {
     std::array<mesh::Segment, kPoints> segments;
     std::array<float, kPoints> passed{};
-    for (std::uint32_t i = 0; i < kPoints; ++i) segments[i] = {points_on_node_[i], source.at};
+    for (std::uint32_t i = 0; i < kPoints; ++i) segments[i] = {places.lifted[i], source.at};
     scene().rays->transmittance(segments, passed);
     for (std::uint32_t i = 0; i < kPoints; ++i) {
-      const double lux = passed[i] * point_illuminance(source, points_on_node_[i], normal);
-      samples[i].value += lux;
+      const double lux = passed[i] * point_illuminance(source, places.lifted[i], normal);
+      places.samples[i].value += lux;
       result.received += lux / kPoints;
       result.total += lux / kPoints;
     }
   }
 }
 
+/// A ray from a place of a node towards an opening, or into the open hemisphere.
+NodeSampler::Start NodeSampler::start(ElementId e, std::int32_t opening, const SobolPoints& numbers,
+                                      std::uint32_t i) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& normal = tree.normal(e);
+  Start ray;
+  ray.at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  if (opening == kOpenSky) {
+    ray.direction = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
+    ray.weight = 1.0;
+    return ray;
+  }
+  const OpeningSampler sampler(ray.at, scene().openings[static_cast<std::size_t>(opening)].triangles);
+  const SolidAngleSample s = sampler.sample(numbers.at(i, 2), numbers.at(i, 3));
+  ray.direction = s.direction;
+  ray.weight = s.solid_angle_sr * std::max(0.0, dot(s.direction, normal)) / std::numbers::pi;
+  return ray;
+}
+
+PathRule rule_of(std::int32_t opening) {
+  return {opening == kOpenSky ? PathRule::Part::kGather : PathRule::Part::kOpening, opening, false};
+}
+
+bool NodeSampler::sees(ElementId e, std::int32_t opening) const {
+  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
+  for (std::uint32_t i = 0; i < kProbes; ++i) {
+    const Start ray = start(e, opening, numbers, i);
+    if (ray.weight <= 0.0) continue;
+    Collector collector{&scene(), opening != kOpenSky};
+    follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
+    if (collector.sky_lux + collector.guess_lux > 0.0) return true;
+  }
+  return false;
+}
+
+/// Adds one opening's light, or the open sky's, to a measurement; gives the variance of its mean.
+double NodeSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, Measurement& result) const {
+  const std::uint64_t key =
+      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 0x10000));
+  std::array<double, kBatches> means{};
+  for (std::uint32_t b = 0; b < kBatches; ++b) {
+    const SobolPoints numbers(mesh::hash(key, b));
+    for (std::uint32_t i = 0; i < rays; ++i) {
+      const Start ray = start(e, opening, numbers, i);
+      if (ray.weight <= 0.0) continue;
+      const double weight = ray.weight / (rays * kBatches);
+      Collector collector{&scene(), opening != kOpenSky, &result.beyond};
+      const std::size_t first = result.beyond.size();
+      follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
+      for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);
+      result.received += weight * collector.sky_lux;
+      means[b] += weight * kBatches * (collector.sky_lux + collector.guess_lux);
+    }
+  }
+  double mean = 0.0;
+  for (const double m : means) mean += m / kBatches;
+  double square = 0.0;
+  for (const double m : means) square += (m - mean) * (m - mean);
+  result.total += mean;
+  return square / (kBatches * (kBatches - 1.0));
+}
+
+double NodeSampler::point_source_mean(ElementId e) const {
+  constexpr std::uint32_t kPlaces = 32;
+  const mesh::ElementTree& tree = solution_.tree();
+  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
+  double sum = 0.0;
+  for (const PointSource& source : scene().point_sources) {
+    for (std::uint32_t i = 0; i < kPlaces; ++i) {
+      const Point at =
+          tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
+      const mesh::Segment segment{at, source.at};
+      float passed = 0.0F;
+      scene().rays->transmittance({&segment, 1}, {&passed, 1});
+      sum += passed * point_illuminance(source, at, tree.normal(e)) / kPlaces;
+    }
+  }
+  return sum;
+}
+
 /// Opening links of one node, one a source element, in the order of their ids. Where on the source the rays end, makes the link
 /// follow the line of its radiosity.
-void add_links(const Solution& solution, ElementId receiver, const Estimate& estimate, std::vector<Link>& links) {
+void add_links(const Solution& solution, ElementId receiver, const Survey& survey, const Measurement& measured,
+               std::vector<Link>& links) {
   const mesh::ElementTree& tree = solution.tree();
   struct Sum {
     double factor = 0.0;
@@ -240,7 +349,7 @@ void add_links(const Solution& solution, ElementId receiver, const Estimate& est
     double v = 0.0;
   };
   std::map<std::uint32_t, Sum> sums;
-  for (const SeenBeyond& seen : estimate.beyond) {
+  for (const SeenBeyond& seen : measured.beyond) {
     const ElementId source = solution.element_at(seen.side, seen.at);
     if (!source.valid()) continue;
     const Vector d = seen.at - tree.centroid(source);
@@ -250,14 +359,14 @@ void add_links(const Solution& solution, ElementId receiver, const Estimate& est
     sum.v += seen.factor * dot(d, tree.axes(source).v);
   }
   // Light through openings changes over the node as the sum of it does.
-  const double slope = estimate.total > 0.0 ? 1.0 / estimate.total : 0.0;
+  const double slope = survey.total > 0.0 ? 1.0 / survey.total : 0.0;
   for (const auto& [source, sum] : sums) {
     Link link;
     link.receiver = receiver;
     link.source = LinkSource::element(ElementId(source));
     link.factor = static_cast<float>(sum.factor);
-    link.slope_u = static_cast<float>(sum.factor * slope * estimate.fit.line.slope_u);
-    link.slope_v = static_cast<float>(sum.factor * slope * estimate.fit.line.slope_v);
+    link.slope_u = static_cast<float>(sum.factor * slope * survey.fit.line.slope_u);
+    link.slope_v = static_cast<float>(sum.factor * slope * survey.fit.line.slope_v);
     const mesh::SecondMoments& area = tree.second_moments(ElementId(source));
     const double determinant = area.uu * area.vv - area.uv * area.uv;
     link.moment_u = static_cast<float>((sum.u * area.vv - sum.v * area.uv) / determinant);
@@ -266,33 +375,32 @@ void add_links(const Solution& solution, ElementId receiver, const Estimate& est
   }
 }
 
-void accept(Solution& solution, ElementId e, const Estimate& estimate) {
-  const double share = estimate.total > 0.0 ? estimate.received / estimate.total : 0.0;
-  // The line's value stands at the centroid; the mean of the places is what the node receives.
+void accept(Solution& solution, ElementId e, const Survey& survey, const Measurement& measured) {
+  const double slope = survey.total > 0.0 ? measured.received / survey.total : 0.0;
   for (LinearValue& v : solution.direct(e)) {
-    v.value = static_cast<float>(estimate.received);
-    v.slope_u = static_cast<float>(share * estimate.fit.line.slope_u);
-    v.slope_v = static_cast<float>(share * estimate.fit.line.slope_v);
+    v.value = static_cast<float>(measured.received);
+    v.slope_u = static_cast<float>(slope * survey.fit.line.slope_u);
+    v.slope_v = static_cast<float>(slope * survey.fit.line.slope_v);
   }
+  solution.add_error(e, survey.fit.residual * survey.fit.residual + measured.noise * measured.noise);
 }
 
-double weight_of(const Solution& solution, const Importance& importance, ElementId e) {
+double reflectance_of(const Solution& solution, ElementId e) {
   const Scene& scene = solution.scene();
-  const FaceSide side = solution.tree().face_side(e);
-  const float rho = luminance(scene.side_reflectance(side), scene.channel_weights);
-  return std::max(rho, kLeastReflectance) * importance.of(solution.tree(), e);
+  return std::max(kLeastReflectance,
+                  luminance(scene.side_reflectance(solution.tree().face_side(e)), scene.channel_weights));
 }
 
 /// Mean illuminance at the sensors: what they see of the sky, and what reaches them of all first reflections and emission.
 double scale_of(const Solution& solution, const Importance& importance, std::span<const Candidate> roots,
-                std::span<const Estimate> estimates) {
+                std::span<const Survey> surveys) {
   const Scene& scene = solution.scene();
   double sum = importance.direct_sky_lux();
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const FaceSide side = solution.tree().face_side(roots[i].node);
     const float rho = luminance(scene.side_reflectance(side), scene.channel_weights);
     const float own = luminance(scene.side_exitance(side), scene.channel_weights);
-    sum += importance.of(solution.tree(), roots[i].node) * (own + rho * estimates[i].received);
+    sum += importance.of(solution.tree(), roots[i].node) * (own + rho * surveys[i].received);
   }
   return sum;
 }
@@ -320,39 +428,45 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
     round.push_back(all);
   }
   const NodeSampler sampler(solution, seed);
-  std::vector<std::pair<ElementId, Estimate>> accepted;
+  std::vector<Survey> accepted;
   const auto first_round = static_cast<double>(round.size());
-  for (double done = 0.0; !round.empty();) {
-    std::vector<Estimate> estimates(round.size());
-    parallel_for(round.size(), [&](std::size_t i) { estimates[i] = sampler.estimate(round[i]); });
-    if (done == 0.0) result.scale_lux = scale_of(solution, importance, round, estimates);
+  for (bool first = true; !round.empty(); first = false) {
+    std::vector<Survey> surveys(round.size());
+    parallel_for(round.size(), [&](std::size_t i) { surveys[i] = sampler.survey(round[i]); });
+    if (first) result.scale_lux = scale_of(solution, importance, round, surveys);
     std::vector<Candidate> next;
     for (std::size_t i = 0; i < round.size(); ++i) {
       const ElementId e = round[i].node;
-      const double uneven = std::max(0.0, importance.unevenness(solution.tree(), e) - kUneven);
-      const double doubt = std::max(estimates[i].fit.residual, uneven * estimates[i].total);
-      const double effect = weight_of(solution, importance, e) * doubt;
+      // Where importance lies on a part of the node, a few places all over it do not tell what matters.
+      const double effect =
+          reflectance_of(solution, e) * (importance.of(solution.tree(), e) * surveys[i].fit.residual +
+                                         importance.uneven(solution.tree(), e) * surveys[i].total);
       if (effect <= tolerance * result.scale_lux || solution.tree().radius(e) < kSmallest) {
-        accepted.emplace_back(e, std::move(estimates[i]));
+        accepted.push_back(std::move(surveys[i]));
         continue;
       }
       solution.open(e);
       for (std::size_t k = 0; k < solution.tree().child_count(e); ++k) {
-        Candidate child = estimates[i].below;
+        Candidate child = surveys[i].below;
         child.node = ElementId(solution.tree().first_child(e).index() + k);
         next.push_back(std::move(child));
       }
     }
     round = std::move(next);
-    done += 1.0;
-    progress.advance(1.0 - static_cast<double>(round.size()) / (first_round + static_cast<double>(round.size())));
+    progress.advance(0.5 - 0.5 * static_cast<double>(round.size()) / (first_round + static_cast<double>(round.size())));
   }
 
-  for (const auto& [e, estimate] : accepted) {
-    accept(solution, e, estimate);
-    solution.add_error(e, estimate.fit.residual * estimate.fit.residual);
-    add_links(solution, e, estimate, result.links);
+  std::vector<Measurement> measured(accepted.size());
+  parallel_for(accepted.size(), [&](std::size_t i) {
+    const ElementId e = accepted[i].below.node;
+    const double effect_of_lux = reflectance_of(solution, e) * importance.of(solution.tree(), e);
+    measured[i] = sampler.measure(accepted[i], tolerance * result.scale_lux / effect_of_lux);
+  });
+  for (std::size_t i = 0; i < accepted.size(); ++i) {
+    accept(solution, accepted[i].below.node, accepted[i], measured[i]);
+    add_links(solution, accepted[i].below.node, accepted[i], measured[i], result.links);
   }
+  progress.advance(1.0);
   return result;
 }
 

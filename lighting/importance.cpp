@@ -19,12 +19,13 @@ using mesh::Vector;
 namespace {
 
 constexpr std::size_t kWalkers = 1024;       ///< sensors that send out walks, spread evenly over all of them
-constexpr std::uint32_t kWalksEach = 32;
+constexpr std::uint32_t kWalksEach = 128;
 constexpr int kBounces = 5;                  ///< later ones carry under 0.5^5 of the light
-constexpr std::size_t kTellApart = 64;       ///< deposits that make a triangle worth dividing
+constexpr std::size_t kTellApart = 16;       ///< deposits that make a triangle worth dividing
 constexpr double kSmallest = 0.25;           ///< … if its radius is larger than this [m]
 constexpr double kOwnShare = 0.5;            ///< the rest of a root's importance is spread over it by area
-constexpr double kAreaShare = 0.05;          ///< so much importance lies on all surfaces by area, seen from sensors or not
+constexpr double kChance = 0.3;              ///< parts of importance this uneven may be so by chance
+constexpr double kAreaShare = 0.01;          ///< so much importance lies on all surfaces by area, seen from sensors or not
 
 struct Deposit {
   ElementId node;
@@ -124,6 +125,7 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   for (const ElementId root : tree.roots()) all_area += tree.area(root);
   const double by_area = walkers == 0 ? 1.0 : kAreaShare;
   importance_.resize(tree.size());
+  walked_.assign(own.begin(), own.end());
   std::vector<double> root_density(tree.size(), 0.0);
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const ElementId e(i);
@@ -134,14 +136,15 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   }
 }
 
-double Importance::unevenness(const mesh::ElementTree& tree, ElementId e) const {
-  if (!tree.has_children(e)) return 0.0;
+double Importance::uneven(const mesh::ElementTree& tree, ElementId e) const {
+  if (!tree.has_children(e) || tree.first_child(e).index() >= walked_.size()) return 0.0;
+  const double all = walked_[e.index()];
   double moved = 0.0;
   for (std::size_t k = 0; k < tree.child_count(e); ++k) {
     const ElementId child(tree.first_child(e).index() + k);
-    moved += std::abs(of(tree, child) / of(tree, e) - tree.area(child) / tree.area(e));
+    moved += 0.5 * std::abs(walked_[child.index()] - all * tree.area(child) / tree.area(e));
   }
-  return 0.5 * moved;
+  return std::max(0.0, moved - kChance * all);
 }
 
 double Importance::of(const mesh::ElementTree& tree, ElementId e) const {

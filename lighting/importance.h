@@ -20,13 +20,14 @@ class Importance {
 
   /// Of a node, whether it existed when the walks were made or is a part of one that did.
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
-  /// How unevenly importance lies on a node: the share of it that would have to move between its children to follow their areas.
-  [[nodiscard]] double unevenness(const mesh::ElementTree& tree, mesh::ElementId e) const;
+  /// The part of a node's importance that would have to move between its children to follow their areas, beyond what chance moves.
+  [[nodiscard]] double uneven(const mesh::ElementTree& tree, mesh::ElementId e) const;
   /// Mean illuminance at the sensors straight from the sky, as the walks' first rays saw it [lux].
   [[nodiscard]] double direct_sky_lux() const { return direct_sky_lux_; }
 
  private:
   std::vector<float> importance_;  ///< [nodes at the time of the walks]
+  std::vector<float> walked_;      ///< of it, what the walks found
   double direct_sky_lux_ = 0.0;
 };
 
