@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lighting/form_factor.h"
 #include "lighting/linear_fit.h"
@@ -27,7 +28,7 @@ constexpr std::size_t kClusterRays = 16;
 constexpr double kSmallest = 0.015;        ///< elements of a smaller radius are not split [m]
 constexpr float kLeastReflectance = 0.02F;  ///< black receivers get links too, but few
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
-constexpr std::size_t kExactPairs = 64;
+constexpr std::size_t kExactPairs = 512;
 constexpr double kInFront = 1e-9;          ///< a corner this far in front of a plane counts as in front [m]
 
 /// How a convex hull lies to a plane.
@@ -98,27 +99,64 @@ Places places_on(const mesh::ElementTree& tree, ElementId e) {
   return places;
 }
 
-/// How the receiver's mean irradiance follows the first moments of the source's radiosity: by reciprocity the slopes of the
-/// form factor from the source's points to the receiver, times A_s / A_r. Visibility enters by its mean.
-void add_moments(const mesh::ElementTree& tree, const mesh::ShaftEnd& end_r, const mesh::ShaftEnd& end_s, double visible,
-                 Link& link) {
-  constexpr double kFar = 0.05;  // sources that look this small from the receiver are seen alike all over [rad]
-  const ElementId r = link.receiver;
-  const ElementId s = link.source.element();
-  if (tree.radius(s) < kFar * norm(tree.centroid(s) - tree.centroid(r))) return;
+/// One piece as seen from another: form factors from its places, and how they run over it.
+struct View {
+  LinearFit fit;            ///< of the factors, visibility included where it was sampled
+  double unoccluded = 0.0;  ///< mean factor without occluders
+  double rays = 0.0;
+  double passing = 0.0;
+
+  [[nodiscard]] double seen_share() const { return unoccluded > 0.0 ? fit.line.value / unoccluded : 0.0; }
+};
+
+/// Whether rays are cast between the pieces, and which of them receives: openings are crossed by rays from the receiver.
+enum class RaysFrom { kNobody, kHere, kThere };
+
+/// Looks from one piece at another. Visibility, where asked for, is the kernel-weighted share of sampled points that each place sees.
+View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, ElementId at, RaysFrom rays,
+          std::uint64_t seed) {
   std::array<OutlineEdge, 3> scratch;
-  const auto outline = tree.outline(r, scratch);
-  const Places places = places_on(tree, s);
+  const auto outline = tree.outline(at, scratch);
+  const Vector& normal = tree.normal(from);
+  const Vector& other_normal = tree.normal(at);
+  const Places places = places_on(tree, from);
+  const SobolPoints points(mesh::hash(mesh::hash(tree.key(from), tree.key(at)), seed));
+  const double lift = scene.rays->offset_m();
+  const std::size_t each = (kRays + places.count - 1) / places.count;
   std::array<PlaneSample, kPlaces> samples;
+  View view;
   for (std::size_t i = 0; i < places.count; ++i) {
-    const Vector d = places.at[i] - tree.centroid(s);
-    samples[i] = {dot(d, tree.axes(s).u), dot(d, tree.axes(s).v),
-                  point_form_factor(places.at[i], end_s.normal, outline, end_r.normal), places.weight[i]};
+    const Point& place = places.at[i];
+    const Vector d = place - tree.centroid(from);
+    const double factor = point_form_factor(place, normal, outline, other_normal);
+    samples[i] = {dot(d, tree.axes(from).u), dot(d, tree.axes(from).v), factor, places.weight[i]};
+    view.unoccluded += places.weight[i] * factor;
+    if (rays == RaysFrom::kNobody || factor <= 0.0) continue;
+    std::array<mesh::Segment, kRays> segments;
+    std::array<float, kRays> passed{};
+    std::array<double, kRays> kernel{};
+    double all = 0.0;
+    for (std::size_t j = 0; j < each; ++j) {
+      const auto n = static_cast<std::uint32_t>(i * each + j);
+      const Point q = tree.sample(at, points.at(n, 0), points.at(n, 1));
+      const Vector to = q - place;
+      const double distance2 = dot(to, to);
+      kernel[j] = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, other_normal)) / (distance2 * distance2);
+      all += kernel[j];
+      segments[j] = {place + lift * normal, q + lift * other_normal};
+      if (rays == RaysFrom::kThere) std::swap(segments[j].from, segments[j].to);
+    }
+    scene.rays->transmittance(std::span(segments).first(each), std::span(passed).first(each));
+    double seen = 0.0;
+    for (std::size_t j = 0; j < each; ++j) {
+      seen += kernel[j] * passed[j];
+      view.passing += passed[j] > 0.0F ? 1.0 : 0.0;
+    }
+    view.rays += static_cast<double>(each);
+    samples[i].value *= all > 0.0 ? seen / all : 0.0;
   }
-  const LinearFit fit = fit_line(std::span(samples).first(places.count), false);
-  const double ratio = visible * tree.area(s) / tree.area(r);
-  link.moment_u = static_cast<float>(ratio * fit.line.slope_u);
-  link.moment_v = static_cast<float>(ratio * fit.line.slope_v);
+  view.fit = fit_line(std::span(samples).first(places.count), rays != RaysFrom::kNobody);
+  return view;
 }
 
 /// Standard error of a factor whose visibility was sampled. A few rays that all pass, or all fail, prove nothing: the share that
@@ -225,60 +263,38 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   if (link.visibility == Visibility::kPartial) link.visibility = scene.shafts->classify(end_r, end_s);
   if (link.visibility == Visibility::kHidden) return std::nullopt;
 
-  // Point form factors, weighted by the visibility of the source from each place.
-  std::array<OutlineEdge, 3> scratch_s;
-  const auto outline_s = tree.outline(s, scratch_s);
-  const Places places = places_on(tree, r);
-  const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), tree.key(s)), seed_));
-  const double lift = scene.rays->offset_m();
-  std::array<PlaneSample, kPlaces> samples;
-  double rays = 0.0;
-  double passing = 0.0;
-  double unoccluded = 0.0;
-  const std::size_t each = (kRays + places.count - 1) / places.count;
-  for (std::size_t i = 0; i < places.count; ++i) {
-    const Point& place = places.at[i];
-    const Vector d = place - tree.centroid(r);
-    const double factor = point_form_factor(place, end_r.normal, outline_s, end_s.normal);
-    samples[i] = {dot(d, tree.axes(r).u), dot(d, tree.axes(r).v), factor, places.weight[i]};
-    unoccluded += places.weight[i] * factor;
-    if (link.visibility == Visibility::kVisible || factor <= 0.0) continue;
-    std::array<mesh::Segment, kRays> segments;
-    std::array<float, kRays> passed{};
-    std::array<double, kRays> kernel{};
-    double all = 0.0;
-    for (std::size_t j = 0; j < each; ++j) {
-      const auto n = static_cast<std::uint32_t>(i * each + j);
-      const Point q = tree.sample(s, points.at(n, 0), points.at(n, 1));
-      const Vector to = q - place;
-      const double distance2 = dot(to, to);
-      kernel[j] = std::max(0.0, dot(to, end_r.normal)) * std::max(0.0, -dot(to, end_s.normal)) /
-                  (distance2 * distance2);
-      all += kernel[j];
-      segments[j] = {place + lift * end_r.normal, q + lift * end_s.normal};
-    }
-    scene.rays->transmittance(std::span(segments).first(each), std::span(passed).first(each));
-    double seen = 0.0;
-    for (std::size_t j = 0; j < each; ++j) {
-      seen += kernel[j] * passed[j];
-      passing += passed[j] > 0.0F ? 1.0 : 0.0;
-    }
-    rays += static_cast<double>(each);
-    samples[i].value *= all > 0.0 ? seen / all : 0.0;
-  }
-  if (unoccluded <= 0.0) return std::nullopt;
-  const LinearFit fit = fit_line(std::span(samples).first(places.count), link.visibility == Visibility::kPartial);
-  double mean = fit.line.value;
-  if (link.visibility == Visibility::kVisible && source_lies.all_in_front && receiver_lies.all_in_front) {
+  // Quadrature is good over the smaller piece: from there the larger one is seen whole, and its point form factor is exact. Over a
+  // large receiver it would miss the bright spot next to a small source.
+  const bool receiver_small = tree.area(r) <= tree.area(s);
+  const RaysFrom rays = link.visibility != Visibility::kPartial ? RaysFrom::kNobody
+                        : receiver_small                        ? RaysFrom::kHere
+                                                                : RaysFrom::kThere;
+  const View small = look(scene, tree, receiver_small ? r : s, receiver_small ? s : r, rays, seed_);
+  const View large = look(scene, tree, receiver_small ? s : r, receiver_small ? r : s, RaysFrom::kNobody, seed_);
+  double exchange = small.unoccluded * std::min(tree.area(r), tree.area(s));
+  if (source_lies.all_in_front && receiver_lies.all_in_front) {
     std::array<OutlineEdge, 3> scratch_r;
+    std::array<OutlineEdge, 3> scratch_s;
     const auto outline_r = tree.outline(r, scratch_r);
-    if (outline_r.size() * outline_s.size() <= kExactPairs) mean = exchange_area(outline_r, outline_s) / tree.area(r);
+    const auto outline_s = tree.outline(s, scratch_s);
+    if (outline_r.size() * outline_s.size() <= kExactPairs) exchange = exchange_area(outline_r, outline_s);
   }
-  link.factor = static_cast<float>(mean);
-  link.slope_u = fit.line.slope_u;
-  link.slope_v = fit.line.slope_v;
-  link.error = static_cast<float>(fit.residual + visibility_noise(unoccluded, rays, passing));
-  add_moments(tree, end_r, end_s, mean / unoccluded, link);
+  if (exchange <= 0.0 || small.unoccluded <= 0.0) return std::nullopt;
+
+  const double share = small.seen_share();
+  const View& own = receiver_small ? small : large;
+  const View& sources = receiver_small ? large : small;
+  const double own_share = receiver_small ? 1.0 : share;
+  const double source_share = (receiver_small ? share : 1.0) * tree.area(s) / tree.area(r);
+  link.factor = static_cast<float>(share * exchange / tree.area(r));
+  link.slope_u = static_cast<float>(own_share * own.fit.line.slope_u);
+  link.slope_v = static_cast<float>(own_share * own.fit.line.slope_v);
+  link.moment_u = static_cast<float>(source_share * sources.fit.line.slope_u);
+  link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
+  const double unoccluded = exchange / tree.area(r);
+  const double missed = receiver_small ? 0.0 : share * std::abs(large.unoccluded - unoccluded);
+  link.error = static_cast<float>(own_share * own.fit.residual + missed +
+                                  visibility_noise(unoccluded, small.rays, small.passing));
   return link;
 }
 
