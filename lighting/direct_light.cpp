@@ -440,7 +440,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
       // Where importance lies on a part of the node, a few places all over it do not tell what matters.
       const double effect =
           reflectance_of(solution, e) * (importance.of(solution.tree(), e) * surveys[i].fit.residual +
-                                         importance.uneven(solution.tree(), e) * surveys[i].total);
+                                         importance.uneven(e) * surveys[i].total);
       if (effect <= tolerance * result.scale_lux || solution.tree().radius(e) < kSmallest) {
         accepted.push_back(std::move(surveys[i]));
         continue;

@@ -118,14 +118,18 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   }
   divide_crowded(solution, deposits);
   std::vector<double> own(tree.size(), 0.0);
+  std::vector<double> counts(tree.size(), 0.0);
   for (const Deposit& d : deposits) {
-    for (ElementId e = d.node; e.valid(); e = tree.parent(e)) own[e.index()] += d.weight / static_cast<double>(walkers);
+    for (ElementId e = d.node; e.valid(); e = tree.parent(e)) {
+      own[e.index()] += d.weight / static_cast<double>(walkers);
+      counts[e.index()] += 1.0;
+    }
   }
+  find_uneven(tree, own, counts);
   double all_area = 0.0;
   for (const ElementId root : tree.roots()) all_area += tree.area(root);
   const double by_area = walkers == 0 ? 1.0 : kAreaShare;
   importance_.resize(tree.size());
-  walked_.assign(own.begin(), own.end());
   std::vector<double> root_density(tree.size(), 0.0);
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const ElementId e(i);
@@ -136,15 +140,21 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   }
 }
 
-double Importance::uneven(const mesh::ElementTree& tree, ElementId e) const {
-  if (!tree.has_children(e) || tree.first_child(e).index() >= walked_.size()) return 0.0;
-  const double all = walked_[e.index()];
-  double moved = 0.0;
-  for (std::size_t k = 0; k < tree.child_count(e); ++k) {
-    const ElementId child(tree.first_child(e).index() + k);
-    moved += 0.5 * std::abs(walked_[child.index()] - all * tree.area(child) / tree.area(e));
+void Importance::find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts) {
+  uneven_.assign(own.size(), 0.0F);
+  for (std::size_t i = own.size(); i-- > 0;) {  // children come after their parents
+    const ElementId e(i);
+    if (!tree.has_children(e) || counts[i] <= 0.0) continue;
+    double moved = 0.0;
+    double below = 0.0;
+    for (std::size_t k = 0; k < tree.child_count(e); ++k) {
+      const ElementId child(tree.first_child(e).index() + k);
+      moved += 0.5 * std::abs(own[child.index()] - own[i] * tree.area(child) / tree.area(e));
+      below += uneven_[child.index()];
+    }
+    const double chance = (kChance + 1.0 / std::sqrt(counts[i])) * own[i];
+    uneven_[i] = static_cast<float>(std::max(below, moved - chance));
   }
-  return std::max(0.0, moved - kChance * all);
 }
 
 double Importance::of(const mesh::ElementTree& tree, ElementId e) const {

@@ -20,14 +20,16 @@ class Importance {
 
   /// Of a node, whether it existed when the walks were made or is a part of one that did.
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
-  /// The part of a node's importance that would have to move between its children to follow their areas, beyond what chance moves.
-  [[nodiscard]] double uneven(const mesh::ElementTree& tree, mesh::ElementId e) const;
+  /// The part of a node's importance that does not follow its parts' areas, at any depth, beyond what chance brings about.
+  [[nodiscard]] double uneven(mesh::ElementId e) const { return e.index() < uneven_.size() ? uneven_[e.index()] : 0.0; }
   /// Mean illuminance at the sensors straight from the sky, as the walks' first rays saw it [lux].
   [[nodiscard]] double direct_sky_lux() const { return direct_sky_lux_; }
 
  private:
+  void find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts);
+
   std::vector<float> importance_;  ///< [nodes at the time of the walks]
-  std::vector<float> walked_;      ///< of it, what the walks found
+  std::vector<float> uneven_;
   double direct_sky_lux_ = 0.0;
 };
 
