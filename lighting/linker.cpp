@@ -294,8 +294,16 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   const double unoccluded = exchange / tree.area(r);
   const double missed = receiver_small ? 0.0 : share * std::abs(large.unoccluded - unoccluded);
   link.error = static_cast<float>(own_share * own.fit.residual + missed +
-                                  visibility_noise(unoccluded, small.rays, small.passing));
+                                  visibility_noise(unoccluded, small.rays, small.passing) +
+                                  unseen_peak(r, share * exchange, tree.area(s)));
   return link;
+}
+
+double Linker::unseen_peak(ElementId receiver, double exchange, double source_area) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const double uneven = importance_.uneven(receiver);
+  if (uneven <= 0.0) return 0.0;
+  return uneven / importance_.of(tree, receiver) * exchange / std::min(source_area, tree.area(receiver));
 }
 
 std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
@@ -335,6 +343,7 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
   double unseen = 0.0;
   for (const double k : kernel) unseen = std::max(unseen, k);
   link.error = std::max(link.error, static_cast<float>(unseen / (4.0 * kClusterRays)));
+  link.error += static_cast<float>(unseen_peak(r, sum * tree.area(r), clusters_.area(c)));
   return unseen > 0.0 ? std::optional(link) : std::nullopt;
 }
 

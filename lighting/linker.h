@@ -42,11 +42,12 @@ class Linker {
   [[nodiscard]] LinkDecision::Kind split_of(const Link& link) const;
 
  private:
-  struct Measured;
-
   [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;
   [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
   [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
+  /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a
+  /// factor's error, for receivers whose places do not tell.
+  [[nodiscard]] double unseen_peak(mesh::ElementId receiver, double exchange, double source_area) const;
   [[nodiscard]] bool overlaps(mesh::ElementId receiver, std::uint32_t cluster) const;
 
   const Solution& solution_;
