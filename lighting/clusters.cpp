@@ -87,8 +87,8 @@ void Clusters::pull(const Solution& solution) {
     } else {
       const auto share = static_cast<float>(area(left(c)) / area(c));
       for (std::size_t k = 0; k < channels_; ++k) {
-        radiosity_[i * channels_ + k] = share * radiosity_[left(c) * channels_ + k] +
-                                        (1.0F - share) * radiosity_[right(c) * channels_ + k];
+        radiosity_[i * channels_ + k] =
+            share * radiosity_[left(c) * channels_ + k] + (1.0F - share) * radiosity_[right(c) * channels_ + k];
       }
       mean_[i] = share * mean_[left(c)] + (1.0F - share) * mean_[right(c)];
       const double below = share * square[left(c)] + (1.0 - share) * square[right(c)];

@@ -10,6 +10,7 @@
 #include "lighting/light_paths.h"
 #include "lighting/linear_fit.h"
 #include "lighting/opening_sampler.h"
+#include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
@@ -23,13 +24,13 @@ using mesh::Vector;
 
 namespace {
 
-constexpr std::uint32_t kPoints = 8;        ///< places on a node, to see how light changes over it
-constexpr std::uint32_t kDirections = 8;    ///< from each place towards each opening, and into the open hemisphere
+constexpr std::uint32_t kPoints = 8;      ///< places on a node, to see how light changes over it
+constexpr std::uint32_t kDirections = 8;  ///< from each place towards each opening, and into the open hemisphere
 /// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
 /// direction of its own, stratified in all four dimensions.
 constexpr std::uint32_t kProbes = 256;
-constexpr std::uint32_t kBatches = 8;       ///< independent scramblings that tell the noise of a node's mean
-constexpr std::uint32_t kFirstRays = 32;    ///< a batch and opening, to begin with
+constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
 constexpr std::uint32_t kMostRays = 512;
 constexpr double kSmallest = 0.02;          ///< nodes of a smaller radius are not opened [m]
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
@@ -54,17 +55,17 @@ struct Candidate {
 /// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
 /// is left to measure().
 struct Survey {
-  LinearFit fit;         ///< of sky, point sources and the guess of what lies beyond openings
-  double received = 0.0; ///< sky and point sources alone, mean [lux]
-  double total = 0.0;    ///< with the guess of what is beyond
-  Candidate below;       ///< what the node, or its children, need to look at
+  LinearFit fit;          ///< of sky, point sources and the guess of what lies beyond openings
+  double received = 0.0;  ///< sky and point sources alone, mean [lux]
+  double total = 0.0;     ///< with the guess of what is beyond
+  Candidate below;        ///< what the node, or its children, need to look at
 };
 
 /// What a node receives on the mean, with independent places and directions.
 struct Measurement {
   double received = 0.0;  ///< [lux]
   double total = 0.0;
-  double noise = 0.0;     ///< standard error of total [lux]
+  double noise = 0.0;  ///< standard error of total [lux]
   std::vector<SeenBeyond> beyond;
 };
 
@@ -151,7 +152,6 @@ class NodeSampler {
 
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
 
-  static mesh::ShaftEnd shaft_end(const Opening& opening);
   [[nodiscard]] bool may_see(ElementId e, std::uint32_t k) const;
   [[nodiscard]] bool sees(ElementId e, std::int32_t opening) const;
   void survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const;
@@ -171,24 +171,6 @@ class NodeSampler {
   std::vector<mesh::ShaftEnd> ends_;
 };
 
-mesh::ShaftEnd NodeSampler::shaft_end(const Opening& opening) {
-  // The bounding rectangle in the opening's plane.
-  const mesh::Frame frame = mesh::frame_around(-opening.outward);
-  const Point& origin = opening.triangles[0][0];
-  std::array<double, 4> box{0.0, 0.0, 0.0, 0.0};
-  for (const auto& t : opening.triangles) {
-    for (const Point& p : t) {
-      const double u = dot(p - origin, frame.u);
-      const double v = dot(p - origin, frame.v);
-      box = {std::min(box[0], u), std::min(box[1], v), std::max(box[2], u), std::max(box[3], v)};
-    }
-  }
-  const auto corner = [&](double u, double v) { return origin + (u * frame.u + v * frame.v); };
-  return {.corners = {corner(box[0], box[1]), corner(box[2], box[1]), corner(box[2], box[3]), corner(box[0], box[3])},
-          .count = 4,
-          .normal = frame.w};
-}
-
 bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
   const mesh::ElementTree& tree = solution_.tree();
   if (tree.face_side(e).face == scene().openings[k].face) return false;
@@ -206,7 +188,8 @@ bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
   return scene().shafts->classify(own, end) != mesh::Visibility::kHidden;
 }
 
-void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const {
+void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,
+                                 Survey& result) const {
   const Vector& normal = solution_.tree().normal(e);
   const SobolPoints numbers(key);
   for (std::uint32_t i = 0; i < kPoints; ++i) {
@@ -282,7 +265,8 @@ PathRule rule_of(std::int32_t opening) {
 }
 
 bool NodeSampler::sees(ElementId e, std::int32_t opening) const {
-  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
+  const SobolPoints numbers(
+      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
   for (std::uint32_t i = 0; i < kProbes; ++i) {
     const Start ray = start(e, opening, numbers, i);
     if (ray.weight <= 0.0) continue;
@@ -327,8 +311,7 @@ double NodeSampler::point_source_mean(ElementId e) const {
   double sum = 0.0;
   for (const PointSource& source : scene().point_sources) {
     for (std::uint32_t i = 0; i < kPlaces; ++i) {
-      const Point at =
-          tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
+      const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
       const mesh::Segment segment{at, source.at};
       float passed = 0.0F;
       scene().rays->transmittance({&segment, 1}, {&passed, 1});
@@ -438,9 +421,8 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
     for (std::size_t i = 0; i < round.size(); ++i) {
       const ElementId e = round[i].node;
       // Where importance lies on a part of the node, a few places all over it do not tell what matters.
-      const double effect =
-          reflectance_of(solution, e) * (importance.of(solution.tree(), e) * surveys[i].fit.residual +
-                                         importance.uneven(e) * surveys[i].total);
+      const double effect = reflectance_of(solution, e) * (importance.of(solution.tree(), e) * surveys[i].fit.residual +
+                                                           importance.uneven(e) * surveys[i].total);
       if (effect <= tolerance * result.scale_lux || solution.tree().radius(e) < kSmallest) {
         accepted.push_back(std::move(surveys[i]));
         continue;

@@ -41,8 +41,8 @@ double mean_direct(Solution& solution, ElementId e) {
     const Vector d = tree.centroid(e) - tree.centroid(up);
     const auto direct = solution.direct(up);
     for (std::size_t c = 0; c < direct.size(); ++c) {
-      sum += solution.scene().channel_weights[c] *
-             (direct[c].value + direct[c].slope_u * dot(d, tree.axes(e).u) + direct[c].slope_v * dot(d, tree.axes(e).v));
+      sum += solution.scene().channel_weights[c] * (direct[c].value + direct[c].slope_u * dot(d, tree.axes(e).u) +
+                                                    direct[c].slope_v * dot(d, tree.axes(e).v));
     }
   }
   return sum;
@@ -62,8 +62,8 @@ struct Measured {
   double factors = 0.0;
 };
 
-Measured measure(const Solution& solution, const std::vector<ElementId>& elements, const std::vector<double>& flux_before,
-                 const std::vector<double>& factor_sums, std::uint64_t seed) {
+Measured measure(const Solution& solution, const std::vector<ElementId>& elements,
+                 const std::vector<double>& flux_before, const std::vector<double>& factor_sums, std::uint64_t seed) {
   const Scene& scene = solution.scene();
   const mesh::ElementTree& tree = solution.tree();
   const double all = flux_before.back();
@@ -169,7 +169,7 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
         measure(solution, elements, flux_before, factor_sums(solution, transport.links, elements), seed);
     balance.left_lm = sent * (1.0 - measured.landed) - sent_by_panes;
     balance.closure = std::abs(measured.factors - measured.landed);
-  } 
+  }
   balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;
   balance.reciprocity = reciprocity(solution, transport.links);
   return balance;

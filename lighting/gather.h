@@ -20,7 +20,7 @@ struct Gathered {
 /// cosine-weighted hemisphere, each path once. Samples until the sampling error of every sensor is under its share of the
 /// accuracy, or a cap on rays is met; what remains stands in error_lux.
 /// @param positions, normals  local coordinates
-Gathered gather(const Solution& solution, std::span<const mesh::Point> positions,
-                std::span<const mesh::Vector> normals, double accuracy, std::uint64_t seed, Progress& progress);
+Gathered gather(const Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
+                double accuracy, std::uint64_t seed, Progress& progress);
 
 }  // namespace clerestory::lighting

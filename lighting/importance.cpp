@@ -18,14 +18,14 @@ using mesh::Vector;
 
 namespace {
 
-constexpr std::size_t kWalkers = 1024;       ///< sensors that send out walks, spread evenly over all of them
+constexpr std::size_t kWalkers = 1024;  ///< sensors that send out walks, spread evenly over all of them
 constexpr std::uint32_t kWalksEach = 128;
-constexpr int kBounces = 5;                  ///< later ones carry under 0.5^5 of the light
-constexpr std::size_t kTellApart = 16;       ///< deposits that make a triangle worth dividing
-constexpr double kSmallest = 0.25;           ///< … if its radius is larger than this [m]
-constexpr double kOwnShare = 0.5;            ///< the rest of a root's importance is spread over it by area
-constexpr double kChance = 0.3;              ///< parts of importance this uneven may be so by chance
-constexpr double kAreaShare = 0.01;          ///< so much importance lies on all surfaces by area, seen from sensors or not
+constexpr int kBounces = 5;             ///< later ones carry under 0.5^5 of the light
+constexpr std::size_t kTellApart = 16;  ///< deposits that make a triangle worth dividing
+constexpr double kSmallest = 0.25;      ///< … if its radius is larger than this [m]
+constexpr double kOwnShare = 0.5;       ///< the rest of a root's importance is spread over it by area
+constexpr double kChance = 0.3;         ///< parts of importance this uneven may be so by chance
+constexpr double kAreaShare = 0.01;     ///< so much importance lies on all surfaces by area, seen from sensors or not
 
 struct Deposit {
   ElementId node;
@@ -140,7 +140,8 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   }
 }
 
-void Importance::find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts) {
+void Importance::find_uneven(const mesh::ElementTree& tree, std::span<const double> own,
+                             std::span<const double> counts) {
   uneven_.assign(own.size(), 0.0F);
   for (std::size_t i = own.size(); i-- > 0;) {  // children come after their parents
     const ElementId e(i);

@@ -55,8 +55,8 @@ void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& directio
       const float mirrored = weight * mesh::transmittance_at(g.reflectance, static_cast<float>(cosine));
       if (rule.mirrors && rule.part != Part::kOpening && mirrored > least) {
         const mesh::Vector reflected = normalized(direction + (2.0 * cosine) * facing);
-        follow(scene, at + scene.rays->offset_m() * facing, reflected, mirrored,
-               PathRule{Part::kAll, -1, rule.mirrors}, visitor, panes + 1);
+        follow(scene, at + scene.rays->offset_m() * facing, reflected, mirrored, PathRule{Part::kAll, -1, rule.mirrors},
+               visitor, panes + 1);
       }
     }
     const std::int32_t opening = scene.opening_of[f];

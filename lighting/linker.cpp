@@ -22,14 +22,14 @@ using mesh::Visibility;
 
 namespace {
 
-constexpr std::size_t kPlaces = 16;        ///< on a piece, at most
-constexpr std::size_t kRays = 24;          ///< or a little more, from all places to a source of partial visibility
+constexpr std::size_t kPlaces = 16;  ///< on a piece, at most
+constexpr std::size_t kRays = 24;    ///< or a little more, from all places to a source of partial visibility
 constexpr std::size_t kClusterRays = 16;
-constexpr double kSmallest = 0.015;        ///< elements of a smaller radius are not split [m]
+constexpr double kSmallest = 0.015;         ///< elements of a smaller radius are not split [m]
 constexpr float kLeastReflectance = 0.02F;  ///< black receivers get links too, but few
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
 constexpr std::size_t kExactPairs = 512;
-constexpr double kInFront = 1e-9;          ///< a corner this far in front of a plane counts as in front [m]
+constexpr double kInFront = 1e-7;  ///< a corner this far in front of a plane counts as in front [m]
 
 /// How a convex hull lies to a plane.
 struct Lie {
@@ -192,10 +192,10 @@ bool Linker::holds(const Link& link) const {
   }
   // How much the parts of the source differ, counts as far as the receiver sees them under different factors.
   const mesh::ElementTree& tree = solution_.tree();
-  const double radius = link.source.is_cluster() ? clusters_.radius(link.source.cluster())
-                                                 : tree.radius(link.source.element());
-  const Point& centre = link.source.is_cluster() ? clusters_.centre(link.source.cluster())
-                                                 : tree.centroid(link.source.element());
+  const double radius =
+      link.source.is_cluster() ? clusters_.radius(link.source.cluster()) : tree.radius(link.source.element());
+  const Point& centre =
+      link.source.is_cluster() ? clusters_.centre(link.source.cluster()) : tree.centroid(link.source.element());
   const double distance = std::max(1e-9, norm(centre - tree.centroid(link.receiver)));
   const double unevenness = link.source.is_cluster() ? 1.0 : std::min(1.0, radius / distance);
   const double error = link.error * mean + link.factor * deviation * unevenness;
@@ -279,7 +279,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
     const auto outline_s = tree.outline(s, scratch_s);
     if (outline_r.size() * outline_s.size() <= kExactPairs) exchange = exchange_area(outline_r, outline_s);
   }
-  if (exchange <= 0.0 || small.unoccluded <= 0.0) return std::nullopt;
+  if (small.unoccluded <= 0.0 || exchange <= kLeastFactor * std::min(tree.area(r), tree.area(s))) return std::nullopt;
 
   const double share = small.seen_share();
   const View& own = receiver_small ? small : large;

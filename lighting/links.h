@@ -38,7 +38,7 @@ struct Link {
   float slope_v = 0.0F;
   float moment_u = 0.0F;  ///< [1/m]
   float moment_v = 0.0F;
-  float error = 0.0F;    ///< of the factor over the receiver: what the line misses, and the noise of the visibility
+  float error = 0.0F;  ///< of the factor over the receiver: what the line misses, and the noise of the visibility
   mesh::Visibility visibility = mesh::Visibility::kPartial;
 };
 

@@ -17,7 +17,7 @@ struct Glazing {
 
 /// A surface that shines with Lambert's law. Exactly one of the two is set.
 struct Emission {
-  std::optional<double> flux_lm;          ///< of each connected surface of the material
+  std::optional<double> flux_lm;  ///< of each connected surface of the material
   std::optional<double> luminance_cd_m2;
 };
 

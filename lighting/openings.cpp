@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/openings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lighting/parallel.h"
@@ -63,14 +64,32 @@ double sky_share(const Scene& scene, FaceId face, Side side, const std::vector<s
 
 }  // namespace
 
+mesh::ShaftEnd shaft_end(const Opening& opening) {
+  // The bounding rectangle in the opening's plane.
+  const mesh::Frame frame = mesh::frame_around(-opening.outward);
+  const Point& origin = opening.triangles[0][0];
+  std::array<double, 4> box{0.0, 0.0, 0.0, 0.0};
+  for (const auto& t : opening.triangles) {
+    for (const Point& p : t) {
+      const double u = dot(p - origin, frame.u);
+      const double v = dot(p - origin, frame.v);
+      box = {std::min(box[0], u), std::min(box[1], v), std::max(box[2], u), std::max(box[3], v)};
+    }
+  }
+  const auto corner = [&](double u, double v) { return origin + (u * frame.u + v * frame.v); };
+  return {.corners = {corner(box[0], box[1]), corner(box[2], box[1]), corner(box[2], box[3]), corner(box[0], box[3])},
+          .count = 4,
+          .normal = frame.w};
+}
+
 void find_openings(Scene& scene) {
   const std::size_t count = scene.faces.count();
   std::vector<double> difference(count, 0.0);  // front less back
   parallel_for(count, [&](std::size_t f) {
     if (scene.passable[f] == 0) return;
     const auto triangles = triangles_of(scene.faces, FaceId(f), false);
-    difference[f] = sky_share(scene, FaceId(f), Side::kFront, triangles) -
-                    sky_share(scene, FaceId(f), Side::kBack, triangles);
+    difference[f] =
+        sky_share(scene, FaceId(f), Side::kFront, triangles) - sky_share(scene, FaceId(f), Side::kBack, triangles);
   });
 
   // Curve 0 is the open air, the glazings follow.

@@ -9,4 +9,7 @@ namespace clerestory::lighting {
 /// side see, and tells the rays. Panes between equally dark spaces are no openings: rays just pass them.
 void find_openings(Scene& scene);
 
+/// The bounding rectangle of an opening in its plane, facing inwards, as an end of shafts.
+mesh::ShaftEnd shaft_end(const Opening& opening);
+
 }  // namespace clerestory::lighting

@@ -14,9 +14,10 @@ namespace clerestory::lighting {
 /// belongs to i, so that results do not depend on the number of threads.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = 1) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                    });
 }
 
 /// Caps the threads of the whole process for as long as it lives.

@@ -60,7 +60,8 @@ class Solver {
   /// Takes links out that no longer hold, and gives what they are refined into.
   std::vector<LinkCandidate> reopen(const Linker& linker) {
     std::vector<std::uint8_t> good(links_.size());
-    parallel_for(links_.size(), [&](std::size_t i) { good[i] = linker.holds(links_[i]) ? 1 : 0; }, 256);
+    parallel_for(
+        links_.size(), [&](std::size_t i) { good[i] = linker.holds(links_[i]) ? 1 : 0; }, 256);
     std::vector<LinkCandidate> candidates;
     std::vector<Link> kept;
     for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -78,7 +79,8 @@ class Solver {
   void refine(const Linker& linker, std::vector<LinkCandidate> candidates) {
     while (!candidates.empty()) {
       std::vector<LinkDecision> decisions(candidates.size());
-      parallel_for(candidates.size(), [&](std::size_t i) { decisions[i] = linker.decide(candidates[i]); }, 16);
+      parallel_for(
+          candidates.size(), [&](std::size_t i) { decisions[i] = linker.decide(candidates[i]); }, 16);
       std::vector<LinkCandidate> next;
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const LinkDecision& d = decisions[i];
@@ -199,8 +201,8 @@ class Solver {
 
 }  // namespace
 
-Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance,
-                double accuracy, std::uint64_t seed, Progress& progress) {
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance, double accuracy,
+                std::uint64_t seed, Progress& progress) {
   return Solver(solution, importance, std::move(direct), accuracy, seed).run(tolerance, progress);
 }
 

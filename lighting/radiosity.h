@@ -23,7 +23,7 @@ struct Transport {
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
 /// gathering with push and pull until what is missing is far below the accuracy.
 /// @param tolerance  error at the sensors that one link may cause, as a share of their mean illuminance
-Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance,
-                double accuracy, std::uint64_t seed, Progress& progress);
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance, double accuracy,
+                std::uint64_t seed, Progress& progress);
 
 }  // namespace clerestory::lighting

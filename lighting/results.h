@@ -33,15 +33,15 @@ struct GridMetrics {
   double median_lux = 0.0;
   double minimum_lux = 0.0;
   double maximum_lux = 0.0;
-  double uniformity = 0.0;               ///< minimum / mean
-  double accuracy_reached = 0.0;         ///< RMS of error / max(E, 5 % of the mean)
-  double share_within_twice = 1.0;       ///< of sensors whose error is at most twice the target
+  double uniformity = 0.0;          ///< minimum / mean
+  double accuracy_reached = 0.0;    ///< RMS of error / max(E, 5 % of the mean)
+  double share_within_twice = 1.0;  ///< of sensors whose error is at most twice the target
   bool accuracy_met = false;
   bool has_daylight_factor = false;
   double mean_df_percent = 0.0;
   double median_df_percent = 0.0;
   double minimum_df_percent = 0.0;
-  double share_above_2_percent = 0.0;    ///< of the area (sensors) with a daylight factor of at least 2 % [0 … 1]
+  double share_above_2_percent = 0.0;  ///< of the area (sensors) with a daylight factor of at least 2 % [0 … 1]
   double share_above_5_percent = 0.0;
 };
 
@@ -77,13 +77,13 @@ struct SurfaceResult {
 
 /// Fluxes of the energy balance [lm]: emitted + from sky = absorbed + left, but for `residual`.
 struct EnergyBalance {
-  double emitted_lm = 0.0;    ///< by surfaces
-  double received_lm = 0.0;   ///< on surfaces directly from the sky and point sources
+  double emitted_lm = 0.0;   ///< by surfaces
+  double received_lm = 0.0;  ///< on surfaces directly from the sky and point sources
   double absorbed_lm = 0.0;
-  double left_lm = 0.0;       ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
-  double residual = 0.0;      ///< (emitted + received - absorbed - left) / (emitted + received)
-  double reciprocity = 0.0;   ///< largest |G_rs - G_sr| / max over the sampled links, weighted by flux
-  double closure = 0.0;       ///< flux-weighted mean of |sum of form factors + share that leaves - 1|
+  double left_lm = 0.0;      ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
+  double residual = 0.0;     ///< (emitted + received - absorbed - left) / (emitted + received)
+  double reciprocity = 0.0;  ///< largest |G_rs - G_sr| / max over the sampled links, weighted by flux
+  double closure = 0.0;      ///< flux-weighted mean of |sum of form factors + share that leaves - 1|
 };
 
 struct PhaseTime {
@@ -111,7 +111,7 @@ struct Results {
   double accuracy_reached = 0.0;  ///< the worst grid's
   bool accuracy_met = false;
   std::vector<std::string> assumptions;  ///< one sentence each
-  std::vector<std::string> notices;      ///< what the user should know: "no opening and no lamp: every value is zero" …
+  std::vector<std::string> notices;  ///< what the user should know: "no opening and no lamp: every value is zero" …
 };
 
 }  // namespace clerestory::lighting

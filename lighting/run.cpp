@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/run.h"
 
-
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -25,8 +24,8 @@ namespace {
 
 /// Error at the sensors that one link, or one node's direct light, may cause, as a share of the accuracy. Many such errors, of
 /// either sign, add up; measured on the validation scenes.
-constexpr double kLinkShare = 0.002;
-constexpr double kDirectShare = 0.004;
+constexpr double kLinkShare = 0.001;
+constexpr double kDirectShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSize_m = 1e9;
 
@@ -91,8 +90,8 @@ double horizontal_illuminance(const Sky& sky) {
 }
 
 void evaluate(const Study& study, const Solution& solution, GridResult& grid, std::uint64_t seed, Progress& progress) {
-  const Gathered gathered = gather(solution, grid.sensors.positions, grid.sensors.normals, study.accuracy.target,
-                                   seed, progress);
+  const Gathered gathered =
+      gather(solution, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
   grid.illuminance_lux = gathered.illuminance_lux;
   grid.error_lux = gathered.error_lux;
   const double outside = horizontal_illuminance(study.sky);
@@ -122,7 +121,8 @@ void conclude(const Study& study, const Scene& scene, Results& results) {
     results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);
     results.accuracy_met = results.accuracy_met && grid.metrics.accuracy_met;
     if (grid.metrics.maximum_lux == 0.0)
-      results.notices.push_back("grid '" + grid.name + "': no light reaches it, every value is zero; where light should " +
+      results.notices.push_back("grid '" + grid.name +
+                                "': no light reaches it, every value is zero; where light should " +
                                 "come in, name a glazing material or mark an opening");
   }
 }
@@ -161,7 +161,8 @@ Results run(const Study& study, Progress& progress) {
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
 
   clock.begin("linking", progress);
-  const Transport transport = solve(solution, importance, std::move(direct), kLinkShare * target, target, seed, progress);
+  const Transport transport =
+      solve(solution, importance, std::move(direct), kLinkShare * target, target, seed, progress);
 
   clock.begin("gathering", progress);
   for (std::size_t g = 0; g < results.grids.size(); ++g) {

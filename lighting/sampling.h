@@ -13,7 +13,7 @@ namespace clerestory::lighting {
 
 /// Direction numbers m_i·2^(32-i) by the recurrence of a primitive polynomial. Source: Joe, Kuo 2008, new-joe-kuo-6.
 constexpr std::array<std::uint32_t, 32> sobol_directions(std::uint32_t degree, std::uint32_t a,
-                                                          std::array<std::uint32_t, 3> m) {
+                                                         std::array<std::uint32_t, 3> m) {
   std::array<std::uint32_t, 32> v{};
   for (std::uint32_t i = 0; i < 32; ++i) {
     if (i < degree) {

@@ -165,8 +165,7 @@ Side shining_side(Scene& scene, FaceId face, Side asked, const std::string& name
   const double own = outlook(scene, {face, asked}).mean_distance;
   const double opposite = outlook(scene, {face, mesh::other(asked)}).mean_distance;
   if (own > kSolidDepth || opposite < 4.0 * own) return asked;
-  const std::string text =
-      fmt::format("a surface of '{}' shines on its back: its front looks into a solid", name);
+  const std::string text = fmt::format("a surface of '{}' shines on its back: its front looks into a solid", name);
   if (std::find(scene.notices.begin(), scene.notices.end(), text) == scene.notices.end()) scene.notices.push_back(text);
   return mesh::other(asked);
 }
@@ -210,9 +209,11 @@ void say_what_lights(Scene& scene) {
   const bool lamps = !scene.point_sources.empty() ||
                      std::any_of(scene.exitance.begin(), scene.exitance.end(), [](float m) { return m > 0.0F; });
   if (lamps) return;
-  const bool outside = std::any_of(scene.reachable.begin(), scene.reachable.end(), [](std::uint8_t r) { return r != 0; });
+  const bool outside =
+      std::any_of(scene.reachable.begin(), scene.reachable.end(), [](std::uint8_t r) { return r != 0; });
   if (!scene.has_sky()) {
-    scene.notices.emplace_back("there is no lamp and no sky: every value is zero; give a material an emission, or set sky.type");
+    scene.notices.emplace_back(
+        "there is no lamp and no sky: every value is zero; give a material an emission, or set sky.type");
   } else if (!outside) {
     scene.notices.emplace_back(
         "the model has no lamp, and no opening lets the sky in: every value is zero; name a glazing material in "
@@ -244,9 +245,10 @@ Scene build_scene(const Study& study) {
   for (const Material& m : study.materials) scene.materials.push_back({m.name, m.became, m.why});
   for (const GlazingCurves& g : scene.glazings) {
     if (g.transmittance.back() > 0.918F) {
-      scene.notices.push_back(fmt::format("a transmittance of {:.3f} is more than one uncoated pane can have: the angular "
-                                          "curve of clear glass is scaled to it",
-                                          g.transmittance.back()));
+      scene.notices.push_back(
+          fmt::format("a transmittance of {:.3f} is more than one uncoated pane can have: the angular "
+                      "curve of clear glass is scaled to it",
+                      g.transmittance.back()));
     }
   }
   scene.assumptions = study.assumptions;

@@ -42,7 +42,7 @@ struct Scene {
   std::vector<std::int32_t> glazing_of;    ///< [faces] index into glazings, -1 for the others
   std::vector<GlazingCurves> glazings;
   std::vector<Opening> openings;
-  std::vector<std::int32_t> opening_of;    ///< [faces] index into openings, -1 for the others
+  std::vector<std::int32_t> opening_of;  ///< [faces] index into openings, -1 for the others
 
   Sky sky;
   std::vector<PointSource> point_sources;  ///< local coordinates

@@ -80,8 +80,8 @@ float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t 
   const mesh::Frame& axes = tree_.axes(e);
   const Vector d = point - tree_.centroid(e);
   const LinearValue& v = irradiance(e)[channel];
-  const float lux = std::max(0.0F, v.value + v.slope_u * static_cast<float>(dot(d, axes.u)) +
-                                       v.slope_v * static_cast<float>(dot(d, axes.v)));
+  const float lux = std::max(
+      0.0F, v.value + v.slope_u * static_cast<float>(dot(d, axes.u)) + v.slope_v * static_cast<float>(dot(d, axes.v)));
   const float emission = with_emission ? scene_->side_exitance(side)[channel] : 0.0F;
   return emission + scene_->side_reflectance(side)[channel] * lux;
 }
@@ -177,7 +177,8 @@ void Solution::set_deviation(ElementId e) {
     v += scene_->channel_weights[c] * moments_[e.index() * channels() + c].v;
   }
   const double determinant = area.uu * area.vv - area.uv * area.uv;
-  const double explained = determinant > 0.0 ? (u * u * area.vv - 2.0 * u * v * area.uv + v * v * area.uu) / determinant : 0.0;
+  const double explained =
+      determinant > 0.0 ? (u * u * area.vv - 2.0 * u * v * area.uv + v * v * area.uu) / determinant : 0.0;
   deviation_[e.index()] = static_cast<float>(std::sqrt(std::max(0.0, variance_[e.index()] - explained)));
 }
 

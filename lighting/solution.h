@@ -101,7 +101,7 @@ class Solution {
   std::vector<float> radiosity_;
   std::vector<Moments> moments_;
   std::vector<float> mean_;
-  std::vector<float> variance_;   ///< inside the node, luminance
+  std::vector<float> variance_;  ///< inside the node, luminance
   std::vector<float> deviation_;
   std::vector<float> error2_;
   std::vector<float> change_;  ///< of an element's radiosity in the last push_pull, luminance

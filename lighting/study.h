@@ -48,9 +48,9 @@ struct Study {
   enum class Kind { kIlluminance, kDaylight };
 
   Kind kind = Kind::kIlluminance;
-  std::string name;                  ///< stem of the study or model file
-  mesh::Model model;                 ///< metres, z up, model coordinates
-  std::vector<Material> materials;   ///< one a model material, in the model's order
+  std::string name;                 ///< stem of the study or model file
+  mesh::Model model;                ///< metres, z up, model coordinates
+  std::vector<Material> materials;  ///< one a model material, in the model's order
   mesh::CleanOptions clean;
   Sky sky;
   std::vector<PointSource> point_sources;

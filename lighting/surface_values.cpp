@@ -89,8 +89,7 @@ class SurfaceWriter {
     const float own = luminance(scene.side_exitance(side), scene.channel_weights);
     float radiosity = own;
     for (std::size_t c = 0; c < scene.channels; ++c) {
-      radiosity += scene.channel_weights[c] *
-                   solution_.radiosity_at(element, tree_.centroid(triangle), c, false);
+      radiosity += scene.channel_weights[c] * solution_.radiosity_at(element, tree_.centroid(triangle), c, false);
     }
     result_.cells.push_back(cell);
     result_.side.push_back(static_cast<std::uint8_t>(side.side));

@@ -43,8 +43,8 @@ struct Defect {
 };
 
 struct CleanReport {
-  std::vector<Defect> defects;         ///< only kinds that were found, in the order of the pipeline
-  std::vector<std::string> notices;    ///< one sentence each: panes reduced, parts left out …
+  std::vector<Defect> defects;       ///< only kinds that were found, in the order of the pipeline
+  std::vector<std::string> notices;  ///< one sentence each: panes reduced, parts left out …
   double area_before_m2 = 0.0;
   double area_after_m2 = 0.0;
 };
@@ -52,9 +52,9 @@ struct CleanReport {
 /// Welded polygons without degenerate or duplicate ones; vertices on edges are corners of those edges, so that polygons that
 /// touch along a line share its vertices.
 struct CleanSurface {
-  Model polygons;                           ///< local coordinates: place in the model minus origin
-  Vector origin;                            ///< model coordinates = local coordinates + origin [m]
-  std::vector<std::uint32_t> source;        ///< polygon → polygon of the model that it comes from
+  Model polygons;                     ///< local coordinates: place in the model minus origin
+  Vector origin;                      ///< model coordinates = local coordinates + origin [m]
+  std::vector<std::uint32_t> source;  ///< polygon → polygon of the model that it comes from
   CleanReport report;
 };
 

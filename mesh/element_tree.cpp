@@ -175,9 +175,7 @@ void ElementTree::split_group(const Triangulation& mesh, std::uint32_t group) {
   const auto& box = groups_[parent.shape].rectangle;
   const Vector axis = box[2] - box[0] >= box[3] - box[1] ? axes.u : axes.v;
   const Point& origin = side_origin_[parent.face_side];
-  const auto place = [&](const StartTriangle& t) {
-    return std::pair(dot(mean(points_of(mesh, t)) - origin, axis), t);
-  };
+  const auto place = [&](const StartTriangle& t) { return std::pair(dot(mean(points_of(mesh, t)) - origin, axis), t); };
   std::sort(start_.begin() + parent.begin, start_.begin() + parent.end,
             [&](const StartTriangle& a, const StartTriangle& b) { return place(a) < place(b); });
 

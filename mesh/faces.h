@@ -34,8 +34,8 @@ struct Triangulation {
 
 /// One planar face: coplanar, connected polygons of one material and one part, merged.
 struct Face {
-  Point origin;    ///< a point of the plane [m, local]
-  Frame frame;     ///< w is the normal of the front
+  Point origin;  ///< a point of the plane [m, local]
+  Frame frame;   ///< w is the normal of the front
   double area_m2 = 0.0;
   MaterialId material;
   PartId part;
@@ -69,8 +69,8 @@ Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {});
 
 /// How the start mesh of the elements is made.
 struct MeshOptions {
-  double max_size_m = 4.0;        ///< longest edge of an element
-  double min_angle_deg = 20.0;    ///< except next to input angles below 40 degrees
+  double max_size_m = 4.0;      ///< longest edge of an element
+  double min_angle_deg = 20.0;  ///< except next to input angles below 40 degrees
 };
 
 /// What the mesher could not do.

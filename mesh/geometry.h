@@ -48,9 +48,7 @@ constexpr Point midpoint(const Point& a, const Point& b) {
   return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z)};
 }
 
-inline bool is_finite(const Point& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
+inline bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 /// Right-handed orthonormal axes; w is the normal where the frame belongs to a plane.
 struct Frame {

@@ -33,18 +33,14 @@ using ElementId = Id<struct ElementTag>;
 /// The two sides of a face: front is the side from which the file's winding is counter-clockwise.
 enum class Side : std::uint8_t { kFront = 0, kBack = 1 };
 
-[[nodiscard]] constexpr Side other(Side side) {
-  return side == Side::kFront ? Side::kBack : Side::kFront;
-}
+[[nodiscard]] constexpr Side other(Side side) { return side == Side::kFront ? Side::kBack : Side::kFront; }
 
 /// One side of one face; index() counts 2 a face, front first.
 struct FaceSide {
   FaceId face;
   Side side = Side::kFront;
 
-  [[nodiscard]] constexpr std::size_t index() const {
-    return 2 * face.index() + static_cast<std::size_t>(side);
-  }
+  [[nodiscard]] constexpr std::size_t index() const { return 2 * face.index() + static_cast<std::size_t>(side); }
   constexpr auto operator<=>(const FaceSide&) const = default;
 };
 
