@@ -9,18 +9,13 @@ find_package(embree 3.13 CONFIG REQUIRED)
 
 find_package(fmt CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
-find_package(tinyobjloader CONFIG REQUIRED) # link its ..._double target: the other one reads floats
-find_package(tomlplusplus CONFIG REQUIRED)  # the target says TOML_HEADER_ONLY=0
-find_package(VTK 9.1 REQUIRED COMPONENTS    # never without components: it would ask for Qt
+find_package(tomlplusplus CONFIG REQUIRED) # the target says TOML_HEADER_ONLY=0
+find_package(VTK 9.1 REQUIRED COMPONENTS # never without components: it would ask for Qt
   CommonCore
   CommonDataModel
   CommonExecutionModel
-  FiltersCore
-  FiltersGeneral
   IOImage
   IOXML
-  ImagingColor
-  ImagingCore
   RenderingCore
   RenderingFreeType)
 find_package(CLI11 CONFIG REQUIRED)

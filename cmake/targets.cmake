@@ -34,12 +34,6 @@ target_include_directories(clerestory_version INTERFACE ${PROJECT_BINARY_DIR}/ge
 # A library of one folder. Includes are written from the project root: #include "mesh/geometry.h".
 function(clerestory_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg OBJECT "" "SOURCES;PUBLIC;PRIVATE")
-  if(NOT arg_SOURCES) # nothing written yet
-    add_library(${name} INTERFACE)
-    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
-    target_link_libraries(${name} INTERFACE ${arg_PUBLIC})
-    return()
-  endif()
   set(kind STATIC)
   if(arg_OBJECT)
     set(kind OBJECT)
@@ -54,11 +48,6 @@ endfunction()
 # LIBRARY takes in the object files of OBJECTS and what they must be linked with, but none of the
 # compile flags of those libraries.
 function(clerestory_carry_objects library objects)
-  get_target_property(objects_type ${objects} TYPE)
-  get_target_property(library_type ${library} TYPE)
-  if(objects_type STREQUAL INTERFACE_LIBRARY OR library_type STREQUAL INTERFACE_LIBRARY) # nothing written yet
-    return()
-  endif()
   set_target_properties(${objects} PROPERTIES JOB_POOL_COMPILE heavy)
   target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
   foreach(needed IN LISTS ARGN)

@@ -8,9 +8,6 @@ include(GoogleTest)
 # A GoogleTest program in build/<preset>/tests; each TEST becomes a test of ctest.
 function(clerestory_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
-  if(NOT arg_SOURCES) # nothing written yet
-    return()
-  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     clerestory::flags
@@ -49,9 +46,6 @@ endfunction()
 # Regular expressions are Python's, with ^ and $ at lines. A semicolon cannot be written in any value.
 function(cli_test)
   cmake_parse_arguments(PARSE_ARGV 0 arg "LEAVES_NOTHING" "NAME;EXIT;ERR_LINES" "ARGS;INPUTS;MATCHES;ERR;FILES;ABSENT")
-  if(NOT TARGET clerestory) # nothing written yet
-    return()
-  endif()
   if(arg_UNPARSED_ARGUMENTS OR NOT DEFINED arg_NAME OR NOT DEFINED arg_EXIT)
     message(FATAL_ERROR "cli_test(${arg_NAME}): NAME and EXIT are needed, not understood: ${arg_UNPARSED_ARGUMENTS}")
   endif()

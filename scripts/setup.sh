@@ -19,7 +19,6 @@ packages=(
   libgtest-dev
   libopenmesh-dev
   libtbb-dev
-  libtinyobjloader-dev
   libtomlplusplus-dev
   libvtk9-dev
   ninja-build

@@ -24,7 +24,6 @@ HEAVY = {
     "VTK": (r"vtk\w*\.h", "io"),
     "toml++": (r"toml(\+\+|plusplus)|toml\.hpp", "io"),
     "nlohmann": (r"nlohmann/", "io"),
-    "tinyobjloader": (r"tiny_obj_loader", "io"),
     "CLI11": (r"CLI/", "tools"),
 }
 
