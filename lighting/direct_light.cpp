@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
+#include "lighting/point_light.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -33,6 +35,7 @@ constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell
 constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
 constexpr std::uint32_t kMostRays = 512;
 constexpr double kSmallest = 0.02;          ///< nodes of a smaller radius are not opened [m]
+constexpr double kBrightest = 9.0 / 7.0;    ///< zenith of the overcast sky, against a sky of its mean luminance
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
@@ -49,6 +52,7 @@ struct SeenBeyond {
 struct Candidate {
   ElementId node;
   std::vector<std::uint32_t> openings;  ///< those that may be seen
+  std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
   bool open_sky = true;                 ///< may see the sky by no opening
 };
 
@@ -89,9 +93,17 @@ struct Collector {
   }
 };
 
+double reflectance_of(const Solution& solution, ElementId e) {
+  const Scene& scene = solution.scene();
+  return std::max(kLeastReflectance,
+                  luminance(scene.side_reflectance(solution.tree().face_side(e)), scene.channel_weights));
+}
+
 class NodeSampler {
  public:
-  NodeSampler(const Solution& solution, std::uint64_t seed) : solution_(solution), seed_(seed) {
+  /// @param tolerance_lux  error at the sensors that one node's direct light may cause
+  NodeSampler(const Solution& solution, const Importance& importance, double tolerance_lux, std::uint64_t seed)
+      : solution_(solution), importance_(importance), tolerance_lux_(tolerance_lux), seed_(seed) {
     for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
   }
 
@@ -110,7 +122,12 @@ class NodeSampler {
       places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
       places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
     }
+    result.below.minor = candidate.minor;
     for (const std::uint32_t k : candidate.openings) {
+      if (most_light(e, k) <= tolerance(e)) {
+        result.below.minor.push_back(k);
+        continue;
+      }
       if (!may_see(e, k) || !sees(e, static_cast<std::int32_t>(k))) continue;
       result.below.openings.push_back(k);
       survey_opening(e, k, mesh::hash(key, k), places, result);
@@ -124,8 +141,12 @@ class NodeSampler {
     return result;
   }
 
-  /// @param noise_lux  the noise that the mean may have
-  [[nodiscard]] Measurement measure(const Survey& survey, double noise_lux) const {
+  /// What a node's illuminance may be wrong by [lux].
+  [[nodiscard]] double tolerance(ElementId e) const {
+    return tolerance_lux_ / (reflectance_of(solution_, e) * importance_.of(solution_.tree(), e));
+  }
+
+  [[nodiscard]] Measurement measure(const Survey& survey) const {
     const ElementId e = survey.below.node;
     Measurement result;
     for (std::uint32_t rays = kFirstRays;; rays *= 2) {
@@ -136,7 +157,10 @@ class NodeSampler {
       }
       if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
       result.noise = std::sqrt(variance);
-      if (result.noise <= noise_lux || rays >= kMostRays) break;
+      if (result.noise <= tolerance(e) || rays >= kMostRays) break;
+    }
+    for (const std::uint32_t k : survey.below.minor) {
+      if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
     }
     const double by_points = point_source_mean(e);
     result.received += by_points;
@@ -152,6 +176,8 @@ class NodeSampler {
 
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
 
+  [[nodiscard]] double most_light(ElementId e, std::uint32_t k) const;
+  [[nodiscard]] bool in_view(ElementId e, std::uint32_t k) const;
   [[nodiscard]] bool may_see(ElementId e, std::uint32_t k) const;
   [[nodiscard]] bool sees(ElementId e, std::int32_t opening) const;
   void survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const;
@@ -167,25 +193,46 @@ class NodeSampler {
   [[nodiscard]] double point_source_mean(ElementId e) const;
 
   const Solution& solution_;
+  const Importance& importance_;
+  double tolerance_lux_;
   std::uint64_t seed_;
   std::vector<mesh::ShaftEnd> ends_;
 };
 
-bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
+/// A bound on what an opening can give a node, were all of it bright sky [lux].
+double NodeSampler::most_light(ElementId e, std::uint32_t k) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const mesh::ShaftEnd& end = ends_[k];
+  const Point centre = midpoint(end.corners[0], end.corners[2]);
+  const double reach = tree.radius(e) + norm(end.corners[0] - centre);
+  const double distance = norm(tree.centroid(e) - centre) - reach;
+  if (distance <= 0.0) return std::numeric_limits<double>::infinity();
+  const double share = std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
+  return kBrightest * scene().sky.horizontal_illuminance_lux * share;
+}
+
+/// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
+bool NodeSampler::in_view(ElementId e, std::uint32_t k) const {
   const mesh::ElementTree& tree = solution_.tree();
   if (tree.face_side(e).face == scene().openings[k].face) return false;
   mesh::ShaftEnd own;
   own.count = tree.hull(e, own.corners);
   own.normal = tree.normal(e);
-  const mesh::ShaftEnd& end = ends_[k];
   const auto in_front = [](const mesh::ShaftEnd& of, const mesh::ShaftEnd& other) {
     for (std::size_t i = 0; i < other.count; ++i) {
       if (dot(other.corners[i] - of.corners[0], of.normal) > 1e-9) return true;
     }
     return false;
   };
-  if (!in_front(own, end) || !in_front(end, own)) return false;
-  return scene().shafts->classify(own, end) != mesh::Visibility::kHidden;
+  return in_front(own, ends_[k]) && in_front(ends_[k], own);
+}
+
+bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
+  if (!in_view(e, k)) return false;
+  mesh::ShaftEnd own;
+  own.count = solution_.tree().hull(e, own.corners);
+  own.normal = solution_.tree().normal(e);
+  return scene().shafts->classify(own, ends_[k]) != mesh::Visibility::kHidden;
 }
 
 void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,
@@ -368,41 +415,12 @@ void accept(Solution& solution, ElementId e, const Survey& survey, const Measure
   solution.add_error(e, survey.fit.residual * survey.fit.residual + measured.noise * measured.noise);
 }
 
-double reflectance_of(const Solution& solution, ElementId e) {
-  const Scene& scene = solution.scene();
-  return std::max(kLeastReflectance,
-                  luminance(scene.side_reflectance(solution.tree().face_side(e)), scene.channel_weights));
-}
-
-/// Mean illuminance at the sensors: what they see of the sky, and what reaches them of all first reflections and emission.
-double scale_of(const Solution& solution, const Importance& importance, std::span<const Candidate> roots,
-                std::span<const Survey> surveys) {
-  const Scene& scene = solution.scene();
-  double sum = importance.direct_sky_lux();
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    const FaceSide side = solution.tree().face_side(roots[i].node);
-    const float rho = luminance(scene.side_reflectance(side), scene.channel_weights);
-    const float own = luminance(scene.side_exitance(side), scene.channel_weights);
-    sum += importance.of(solution.tree(), roots[i].node) * (own + rho * surveys[i].received);
-  }
-  return sum;
-}
-
 }  // namespace
-
-double point_illuminance(const PointSource& source, const Point& at, const Vector& normal) {
-  const Vector d = source.at - at;
-  const double distance2 = dot(d, d);
-  const double cosine = dot(d, normal);
-  if (cosine <= 0.0 || distance2 <= 0.0) return 0.0;
-  const double distance = std::sqrt(distance2);
-  const double towards = source.lambertian ? std::max(0.0, -dot(d, source.aim) / distance) : 1.0;
-  return source.intensity_cd * towards * cosine / (distance2 * distance);
-}
 
 DirectLight light_directly(Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed,
                            Progress& progress) {
   DirectLight result;
+  result.scale_lux = importance.mean_lux();
   std::vector<Candidate> round;
   Candidate all;
   for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) all.openings.push_back(k);
@@ -410,13 +428,12 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
     all.node = root;
     round.push_back(all);
   }
-  const NodeSampler sampler(solution, seed);
+  const NodeSampler sampler(solution, importance, tolerance * result.scale_lux, seed);
   std::vector<Survey> accepted;
   const auto first_round = static_cast<double>(round.size());
-  for (bool first = true; !round.empty(); first = false) {
+  while (!round.empty()) {
     std::vector<Survey> surveys(round.size());
     parallel_for(round.size(), [&](std::size_t i) { surveys[i] = sampler.survey(round[i]); });
-    if (first) result.scale_lux = scale_of(solution, importance, round, surveys);
     std::vector<Candidate> next;
     for (std::size_t i = 0; i < round.size(); ++i) {
       const ElementId e = round[i].node;
@@ -439,11 +456,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   }
 
   std::vector<Measurement> measured(accepted.size());
-  parallel_for(accepted.size(), [&](std::size_t i) {
-    const ElementId e = accepted[i].below.node;
-    const double effect_of_lux = reflectance_of(solution, e) * importance.of(solution.tree(), e);
-    measured[i] = sampler.measure(accepted[i], tolerance * result.scale_lux / effect_of_lux);
-  });
+  parallel_for(accepted.size(), [&](std::size_t i) { measured[i] = sampler.measure(accepted[i]); });
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     accept(solution, accepted[i].below.node, accepted[i], measured[i]);
     add_links(solution, accepted[i].below.node, accepted[i], measured[i], result.links);

@@ -11,9 +11,6 @@
 
 namespace clerestory::lighting {
 
-/// Illuminance by a point source at an unobstructed point [lux]: inverse square and cosine laws.
-double point_illuminance(const PointSource& source, const mesh::Point& at, const mesh::Vector& normal);
-
 /// What light_directly() gives besides the direct light that it leaves in the solution.
 struct DirectLight {
   /// Factors of the elements that nodes see through openings. They partition with the ordinary links: visibility stops there where a

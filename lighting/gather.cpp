@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "lighting/direct_light.h"
 #include "lighting/form_factor.h"
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
+#include "lighting/point_light.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 

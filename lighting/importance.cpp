@@ -7,6 +7,7 @@
 
 #include "lighting/light_paths.h"
 #include "lighting/parallel.h"
+#include "lighting/point_light.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -19,7 +20,7 @@ using mesh::Vector;
 namespace {
 
 constexpr std::size_t kWalkers = 1024;  ///< sensors that send out walks, spread evenly over all of them
-constexpr std::uint32_t kWalksEach = 128;
+constexpr std::size_t kWalks = 65536;   ///< in all
 constexpr int kBounces = 5;             ///< later ones carry under 0.5^5 of the light
 constexpr std::size_t kTellApart = 16;  ///< deposits that make a triangle worth dividing
 constexpr double kSmallest = 0.25;      ///< … if its radius is larger than this [m]
@@ -36,7 +37,7 @@ struct Deposit {
 /// What the walks of one sensor left behind.
 struct Walked {
   std::vector<Deposit> deposits;
-  double sky_lux = 0.0;
+  double lux = 0.0;  ///< illuminance of the sensor as the walks see it, up to their last bounce
 };
 
 /// Takes what a ray sees; panes are passed, their mirror images left out.
@@ -55,25 +56,38 @@ struct LastSurface {
   void sky(const Vector& direction, float w) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
 };
 
-Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint64_t seed) {
+/// Illuminance by all point sources that can be seen [lux].
+double by_point_sources(const Scene& scene, const Point& at, const Vector& normal) {
+  double lux = 0.0;
+  for (const PointSource& source : scene.point_sources) {
+    float passed = 0.0F;
+    const mesh::Segment segment{at, source.at};
+    scene.rays->transmittance({&segment, 1}, {&passed, 1});
+    lux += passed * point_illuminance(source, at, normal);
+  }
+  return lux;
+}
+
+Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint32_t walks,
+            std::uint64_t seed) {
   Walked walked;
   const Scene& scene = solution.scene();
-  const SobolPoints first(seed);
-  for (std::uint32_t i = 0; i < kWalksEach; ++i) {
+  for (std::uint32_t i = 0; i < walks; ++i) {
     Point at = position;
     Vector facing = normal;
-    float weight = 1.0F / kWalksEach;
+    float weight = 1.0F / static_cast<float>(walks);
     for (int bounce = 0; bounce < kBounces; ++bounce) {
       const SobolPoints points(mesh::hash(seed, static_cast<std::uint64_t>(bounce)));
       const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
       LastSurface seen{&scene.sky, {}, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
-      if (bounce == 0) walked.sky_lux += weight * seen.sky_lux;
+      walked.lux += weight * (seen.sky_lux + by_point_sources(scene, at, facing));
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;
       const ElementId node = solution.tree().find(seen.side, seen.at);
       if (!node.valid()) break;
       walked.deposits.push_back({node, seen.at, weight});
+      walked.lux += weight * luminance(scene.side_exitance(seen.side), scene.channel_weights);
       weight *= luminance(scene.side_reflectance(seen.side), scene.channel_weights);
       facing = solution.tree().normal(node);
       at = seen.at + scene.rays->offset_m() * facing;
@@ -106,14 +120,15 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   const mesh::ElementTree& tree = solution.tree();
   const std::size_t walkers = std::min(kWalkers, positions.size());
   std::vector<Walked> walked(walkers);
+  const auto walks = static_cast<std::uint32_t>(kWalks / std::max<std::size_t>(1, walkers));
   parallel_for(walkers, [&](std::size_t i) {
     const std::size_t sensor = i * positions.size() / walkers;
-    walked[i] = walk(solution, positions[sensor], normals[sensor], mesh::hash(seed, sensor));
+    walked[i] = walk(solution, positions[sensor], normals[sensor], walks, mesh::hash(seed, sensor));
   });
 
   std::vector<Deposit> deposits;
   for (const Walked& of_one : walked) {
-    direct_sky_lux_ += of_one.sky_lux / static_cast<double>(walkers);
+    mean_lux_ += of_one.lux / static_cast<double>(walkers);
     deposits.insert(deposits.end(), of_one.deposits.begin(), of_one.deposits.end());
   }
   divide_crowded(solution, deposits);

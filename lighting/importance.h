@@ -22,15 +22,15 @@ class Importance {
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
   /// The part of a node's importance that does not follow its parts' areas, at any depth, beyond what chance brings about.
   [[nodiscard]] double uneven(mesh::ElementId e) const { return e.index() < uneven_.size() ? uneven_[e.index()] : 0.0; }
-  /// Mean illuminance at the sensors straight from the sky, as the walks' first rays saw it [lux].
-  [[nodiscard]] double direct_sky_lux() const { return direct_sky_lux_; }
+  /// Mean illuminance of the sensors as the walks saw it [lux]: the scale of tolerances.
+  [[nodiscard]] double mean_lux() const { return mean_lux_; }
 
  private:
   void find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts);
 
   std::vector<float> importance_;  ///< [nodes at the time of the walks]
   std::vector<float> uneven_;
-  double direct_sky_lux_ = 0.0;
+  double mean_lux_ = 0.0;
 };
 
 }  // namespace clerestory::lighting
