@@ -142,7 +142,8 @@ class ContactSearch {
   void add_trace(std::uint32_t f, std::uint32_t g) {
     const auto line = common_line(f, g);
     if (!line) return;
-    const auto& [a, b] = *line;
+    const Point& a = line->first;
+    const Point& b = line->second;
     const auto inside = [&](std::uint32_t face) {
       const PlaneCoordinates& plane = drafts_.faces[face].plane;
       return outline(face).inner_stretches(plane.project(a), plane.project(b), drafts_.tolerance);

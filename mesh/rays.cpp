@@ -24,7 +24,7 @@ struct alignas(64) Counter {
 
 std::size_t this_thread_counter() {
   static std::atomic<std::size_t> next{0};
-  thread_local const std::size_t mine = next++ % kCounters;
+  thread_local std::size_t mine = next++ % kCounters;
   return mine;
 }
 

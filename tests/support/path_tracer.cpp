@@ -249,7 +249,7 @@ std::vector<Traced> trace_illuminance(const TracedScene& scene, std::span<const 
 }
 
 PaneOptics pane_optics(double transmittance_normal, double cosine) {
-  constexpr double n = kRefractiveIndex;
+  const double n = kRefractiveIndex;
   const double r0 = (n - 1.0) * (n - 1.0) / ((n + 1.0) * (n + 1.0));
   const double most = (1.0 - r0) / (1.0 + r0);  // transmittance of a pane that absorbs nothing
   double t = 1.0;                               // transmissivity: the share that survives one crossing
