@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -24,7 +25,8 @@ namespace {
 
 constexpr std::size_t kPlaces = 16;  ///< on a piece, at most
 constexpr std::size_t kRays = 24;    ///< or a little more, from all places to a source of partial visibility
-constexpr std::size_t kClusterRays = 16;
+constexpr std::uint32_t kClusterRays = 16;
+constexpr std::uint32_t kFewRays = 4;       ///< to what cannot matter
 constexpr double kSmallest = 0.015;         ///< elements of a smaller radius are not split [m]
 constexpr float kLeastReflectance = 0.02F;  ///< black receivers get links too, but few
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
@@ -181,6 +183,7 @@ double Linker::tolerance(ElementId receiver) const {
 }
 
 bool Linker::holds(const Link& link) const {
+  if (link.rough) return most_light(link.receiver, link.source) <= tolerance(link.receiver);
   double mean = 0.0;
   double deviation = 0.0;
   if (link.source.is_cluster()) {
@@ -245,6 +248,63 @@ LinkDecision Linker::decide(const LinkCandidate& candidate) const {
   return decision;
 }
 
+double Linker::most_light(ElementId receiver, LinkSource source) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const bool cluster = source.is_cluster();
+  const Point& centre = cluster ? clusters_.centre(source.cluster()) : tree.centroid(source.element());
+  const double radius = cluster ? clusters_.radius(source.cluster()) : tree.radius(source.element());
+  const double area = cluster ? clusters_.area(source.cluster()) : tree.area(source.element());
+  const double nearest = norm(centre - tree.centroid(receiver)) - radius - tree.radius(receiver);
+  if (nearest <= 0.0) return std::numeric_limits<double>::infinity();
+  const double bright =
+      cluster ? clusters_.radiosity_mean(source.cluster()) + clusters_.radiosity_deviation(source.cluster())
+              : solution_.radiosity_mean(source.element()) + solution_.radiosity_deviation(source.element());
+  return bright * std::min(1.0, area / (std::numbers::pi * nearest * nearest));
+}
+
+bool Linker::cannot_matter(ElementId receiver, ElementId source) const {
+  constexpr double kApart = 0.3;  // sizes over distance up to which one point form factor stands for the pair
+  const mesh::ElementTree& tree = solution_.tree();
+  const double distance = norm(tree.centroid(source) - tree.centroid(receiver));
+  return tree.radius(source) + tree.radius(receiver) <= kApart * distance &&
+         most_light(receiver, LinkSource::element(source)) <= tolerance(receiver);
+}
+
+/// A link from the point form factor at the smaller piece's centroid and a few rays: right on the average over many such pairs, and
+/// none of them alone can matter.
+std::optional<Link> Linker::link_roughly(const LinkCandidate& candidate) const {
+  const Scene& scene = solution_.scene();
+  const mesh::ElementTree& tree = solution_.tree();
+  const ElementId r = candidate.receiver;
+  const ElementId s = candidate.source.element();
+  const bool receiver_small = tree.area(r) <= tree.area(s);
+  const ElementId from = receiver_small ? r : s;
+  const ElementId at = receiver_small ? s : r;
+  std::array<OutlineEdge, 3> scratch;
+  const double factor =
+      point_form_factor(tree.centroid(from), tree.normal(from), tree.outline(at, scratch), tree.normal(at));
+  if (factor <= kLeastFactor) return std::nullopt;
+  const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), tree.key(s)), seed_ + 2));
+  const double lift = scene.rays->offset_m();
+  std::array<mesh::Segment, kFewRays> segments;
+  std::array<float, kFewRays> passed{};
+  for (std::uint32_t i = 0; i < kFewRays; ++i) {
+    segments[i] = {tree.sample(r, points.at(i, 0), points.at(i, 1)) + lift * tree.normal(r),
+                   tree.sample(s, points.at(i, 2), points.at(i, 3)) + lift * tree.normal(s)};
+  }
+  scene.rays->transmittance(segments, passed);
+  double share = 0.0;
+  for (const float p : passed) share += p / kFewRays;
+  Link link;
+  link.receiver = r;
+  link.source = candidate.source;
+  link.rough = true;
+  const double ratio = receiver_small ? 1.0 : tree.area(s) / tree.area(r);
+  link.factor = static_cast<float>(share * factor * ratio);
+  link.error = static_cast<float>(factor * ratio);
+  return link;
+}
+
 std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   const Scene& scene = solution_.scene();
   const mesh::ElementTree& tree = solution_.tree();
@@ -255,6 +315,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   const Lie source_lies = lie_of(end_s, tree.centroid(r), end_r.normal);
   const Lie receiver_lies = lie_of(end_r, tree.centroid(s), end_s.normal);
   if (!source_lies.any_in_front || !receiver_lies.any_in_front) return std::nullopt;
+  if (candidate.visibility == Visibility::kPartial && cannot_matter(r, s)) return link_roughly(candidate);
 
   Link link;
   link.receiver = r;
@@ -314,10 +375,12 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
   const Vector& normal = tree.normal(r);
   const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), c), seed_ + 1));
   const double lift = scene.rays->offset_m();
+  const bool rough = most_light(r, candidate.source) <= tolerance(r);
+  const std::uint32_t rays = rough ? kFewRays : kClusterRays;
   std::array<mesh::Segment, kClusterRays> segments;
   std::array<float, kClusterRays> passed{};
   std::array<double, kClusterRays> kernel{};
-  for (std::uint32_t i = 0; i < kClusterRays; ++i) {
+  for (std::uint32_t i = 0; i < rays; ++i) {
     const Point p = tree.sample(r, points.at(i, 0), points.at(i, 1));
     const ClusterPoint q = clusters_.sample(tree, c, points.at(i, 2), points.at(i, 3));
     const Vector to = q.at - p;
@@ -326,25 +389,27 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
                 (std::numbers::pi * distance2 * distance2);
     segments[i] = {p + lift * normal, q.at + lift * q.normal};
   }
-  scene.rays->transmittance(segments, passed);
+  scene.rays->transmittance(std::span(segments).first(rays), std::span(passed).first(rays));
   double sum = 0.0;
   double square = 0.0;
-  for (std::size_t i = 0; i < kClusterRays; ++i) {
+  double unoccluded = 0.0;
+  for (std::uint32_t i = 0; i < rays; ++i) {
     const double f = kernel[i] * passed[i];
-    sum += f / kClusterRays;
-    square += f * f / kClusterRays;
+    sum += f / rays;
+    square += f * f / rays;
+    unoccluded = std::max(unoccluded, kernel[i]);
   }
+  if (unoccluded <= 0.0 && !rough) return std::nullopt;
   Link link;
   link.receiver = r;
   link.source = candidate.source;
+  link.rough = rough;
   link.factor = static_cast<float>(sum);
-  link.error = static_cast<float>(std::sqrt(std::max(0.0, square - sum * sum) / (kClusterRays - 1.0)));
-  // Sixteen rays that see nothing prove little: what they may have missed counts as error.
-  double unseen = 0.0;
-  for (const double k : kernel) unseen = std::max(unseen, k);
-  link.error = std::max(link.error, static_cast<float>(unseen / (4.0 * kClusterRays)));
+  // Few rays that see nothing prove little: what they may have missed counts as error.
+  link.error = static_cast<float>(
+      std::max(std::sqrt(std::max(0.0, square - sum * sum) / (rays - 1.0)), unoccluded / (4.0 * rays)));
   link.error += static_cast<float>(unseen_peak(r, sum * tree.area(r), clusters_.area(c)));
-  return unseen > 0.0 ? std::optional(link) : std::nullopt;
+  return link;
 }
 
 }  // namespace clerestory::lighting

@@ -43,6 +43,10 @@ class Linker {
 
  private:
   [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;
+  /// A bound on the illuminance that a source can give, were all of it to face the receiver [lux].
+  [[nodiscard]] double most_light(mesh::ElementId receiver, LinkSource source) const;
+  [[nodiscard]] bool cannot_matter(mesh::ElementId receiver, mesh::ElementId source) const;
+  [[nodiscard]] std::optional<Link> link_roughly(const LinkCandidate& candidate) const;
   [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
   [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
   /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a

@@ -65,6 +65,10 @@ class Solver {
     std::vector<LinkCandidate> candidates;
     std::vector<Link> kept;
     for (std::size_t i = 0; i < links_.size(); ++i) {
+      if (good[i] == 0 && links_[i].rough) {
+        candidates.push_back({links_[i].receiver, links_[i].source, links_[i].visibility});
+        continue;
+      }
       const auto kind = good[i] != 0 ? LinkDecision::Kind::kLink : linker.split_of(links_[i]);
       if (kind == LinkDecision::Kind::kLink) {
         kept.push_back(links_[i]);
