@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/clusters.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "lighting/sampling.h"
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+/// Area of the room's surfaces, of both their sides: the outside is a place too.
+constexpr double kSides_m2 = 2.0 * (40.0 + 24.0 + 30.0);
+
+Study room_study() {
+  Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1});
+  test::shine(test::material(study, "ceiling"), 100.0);
+  return study;
+}
+
+TEST(Clusters, LeavesHoldEveryRootOnce) {
+  const test::Stage stage(room_study());
+  const Clusters clusters(stage.solution.tree());
+  std::map<std::uint32_t, int> seen;
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    if (clusters.is_leaf(c)) ++seen[clusters.root(c).value];
+  }
+  EXPECT_EQ(seen.size(), stage.solution.tree().roots().size());
+  for (const auto& [root, count] : seen) EXPECT_EQ(count, 1);
+}
+
+TEST(Clusters, AreasAddUpAndBoxesHoldTheirChildren) {
+  const test::Stage stage(room_study());
+  const Clusters clusters(stage.solution.tree());
+  EXPECT_NEAR(clusters.area(0), kSides_m2, 1e-9);
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    if (clusters.is_leaf(c)) continue;
+    const std::uint32_t l = clusters.left(c);
+    const std::uint32_t r = clusters.right(c);
+    EXPECT_NEAR(clusters.area(l) + clusters.area(r), clusters.area(c), 1e-9);
+    mesh::Box both = clusters.box(l);
+    both.add(clusters.box(r));
+    EXPECT_EQ(both.low, clusters.box(c).low);
+    EXPECT_EQ(both.high, clusters.box(c).high);
+    EXPECT_NEAR(clusters.radius(c), 0.5 * both.diagonal(), 1e-12);
+  }
+}
+
+TEST(Clusters, SamplesAreUniformByArea) {
+  const test::Stage stage(room_study());
+  const mesh::ElementTree& tree = stage.solution.tree();
+  const Clusters clusters(tree);
+  const SobolPoints points(6);
+  constexpr std::uint32_t kCount = 16384;
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    std::map<std::uint32_t, int> counts;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+      const ClusterPoint p = clusters.sample(tree, c, points.at(i, 0), points.at(i, 1));
+      ++counts[p.root.value];
+      ASSERT_NEAR(dot(p.at - tree.centroid(p.root), p.normal), 0.0, 1e-9);
+      EXPECT_EQ(p.normal.z, tree.normal(p.root).z);
+    }
+    for (const auto& [root, count] : counts) {
+      EXPECT_NEAR(static_cast<double>(count) / kCount, tree.area(mesh::ElementId(root)) / clusters.area(c), 1e-3);
+    }
+  }
+}
+
+TEST(Clusters, EndsOfTheUnitIntervalAreSampledToo) {
+  const test::Stage stage(room_study());
+  const mesh::ElementTree& tree = stage.solution.tree();
+  const Clusters clusters(tree);
+  for (const double a : {0.0, std::nextafter(1.0, 0.0)}) {
+    const ClusterPoint p = clusters.sample(tree, 0, a, 0.5);
+    EXPECT_TRUE(tree.find(tree.face_side(p.root), p.at).valid());
+    EXPECT_NEAR(dot(p.at - tree.centroid(p.root), p.normal), 0.0, 1e-9);
+  }
+}
+
+TEST(Clusters, PullGivesAreaMeansAndDeviations) {
+  test::Stage stage(room_study());
+  stage.solution.push_pull();  // no light but the ceiling's own
+  Clusters clusters(stage.solution.tree());
+  clusters.pull(stage.solution);
+  const double share = 20.0 / kSides_m2;
+  EXPECT_NEAR(clusters.radiosity_mean(0), 100.0 * share, 1e-3);
+  EXPECT_NEAR(clusters.radiosity(0)[0], 100.0 * share, 1e-3);
+  EXPECT_NEAR(clusters.radiosity_deviation(0), 100.0 * std::sqrt(share * (1.0 - share)), 1e-2);
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    if (!clusters.is_leaf(c)) continue;
+    EXPECT_EQ(clusters.radiosity_mean(c), stage.solution.radiosity_mean(clusters.root(c)));
+  }
+}
+
+}  // namespace
+}  // namespace clerestory::lighting

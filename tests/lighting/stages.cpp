@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/lighting/stages.h"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/support/surface_checks.h"
+
+namespace clerestory::lighting::test {
+
+namespace {
+
+/// One element a region: the solver splits what it needs.
+constexpr double kUnrefined_m = 1e9;
+/// Shares of the accuracy as run() gives them to links and direct light.
+constexpr double kLinkShare = 0.001;
+constexpr double kDirectShare = 0.002;
+constexpr std::uint64_t kSeed = 12345;
+
+Transport solve_all(Stage& stage, const Importance& importance, double accuracy) {
+  NoProgress nobody;
+  DirectLight direct = light_directly(stage.solution, importance, kDirectShare * accuracy, kSeed, nobody);
+  return solve(stage.solution, importance, std::move(direct), kLinkShare * accuracy, accuracy, kSeed, nobody);
+}
+
+}  // namespace
+
+Stage::Stage(const Study& study)
+    : scene(build_scene(study)),
+      solution(scene, mesh::ElementTree(scene.faces, mesh::mesh_faces(scene.faces, {.max_size_m = kUnrefined_m}),
+                                        scene.has_elements)) {
+  for (const GridRequest& grid : study.grids) {
+    for (const mesh::Point& p : grid.points) positions.push_back(local(p));
+    normals.insert(normals.end(), grid.normals.begin(), grid.normals.end());
+  }
+}
+
+std::vector<mesh::ElementId> Stage::roots(const std::string& material, mesh::Side side) const {
+  std::vector<mesh::ElementId> found;
+  for (const mesh::FaceId face : support::faces_of(scene.faces, material)) {
+    const auto of_side = solution.tree().roots_of({face, side});
+    found.insert(found.end(), of_side.begin(), of_side.end());
+  }
+  return found;
+}
+
+mesh::ElementId Stage::root(const std::string& material, mesh::Side side) const { return roots(material, side).at(0); }
+
+Solved::Solved(const Study& study)
+    : Stage(study),
+      importance(solution, positions, normals, kSeed),
+      transport(solve_all(*this, importance, study.accuracy.target)) {}
+
+double Solved::mean_illuminance(const std::vector<mesh::ElementId>& nodes, std::size_t channel) const {
+  double flux = 0.0;
+  double area = 0.0;
+  std::vector<mesh::ElementId> open = nodes;
+  while (!open.empty()) {
+    const mesh::ElementId e = open.back();
+    open.pop_back();
+    if (solution.is_open(e)) {
+      for (std::size_t k = 0; k < solution.tree().child_count(e); ++k) {
+        open.emplace_back(solution.tree().first_child(e).index() + k);
+      }
+      continue;
+    }
+    flux += solution.tree().area(e) * solution.irradiance(e)[channel].value;
+    area += solution.tree().area(e);
+  }
+  return flux / area;
+}
+
+Study study_of(mesh::Model model, double reflectance, const mesh::Point& sensor) {
+  Study study;
+  study.name = "test";
+  for (const std::string& name : model.material_names) {
+    Material& added = study.materials.emplace_back();
+    added.name = name;
+    added.front.reflectance = added.back.reflectance = Spectrum{static_cast<float>(reflectance)};
+  }
+  study.model = std::move(model);
+  study.sky.type = Sky::Type::kNone;
+  GridRequest& grid = study.grids.emplace_back();
+  grid.points = {sensor};
+  grid.normals = {{0, 0, 1}};
+  return study;
+}
+
+Material& material(Study& study, const std::string& name) {
+  const auto found =
+      std::find_if(study.materials.begin(), study.materials.end(), [&](const Material& m) { return m.name == name; });
+  if (found == study.materials.end()) throw std::out_of_range("no material '" + name + "'");
+  return *found;
+}
+
+void shine(Material& material, double exitance_lm_m2) {
+  material.front.emission = Emission{.flux_lm = {}, .luminance_cd_m2 = exitance_lm_m2 / std::numbers::pi};
+}
+
+}  // namespace clerestory::lighting::test
