@@ -10,7 +10,7 @@
 
 namespace clerestory::test {
 
-/// How a result lies to its reference, over all sensors of a grid (science page, section 6).
+/// How a result lies to its reference, over all sensors of a grid (docs/theory/accuracy.md).
 struct Comparison {
   std::size_t count = 0;
   double bias = 0.0;  ///< of the mean, relative
