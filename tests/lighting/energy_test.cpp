@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/energy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+EnergyBalance balance_of(const Study& study) {
+  test::Solved solved(study);
+  return energy_balance(solved.solution, solved.transport, 1);
+}
+
+TEST(EnergyBalance, NothingLeavesAClosedRoom) {
+  Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1});
+  test::shine(test::material(study, "ceiling"), 100.0);
+  const EnergyBalance e = balance_of(study);
+  EXPECT_NEAR(e.emitted_lm, 2000.0, 1e-3);
+  EXPECT_EQ(e.received_lm, 0.0);
+  EXPECT_NEAR(e.left_lm, 0.0, 1e-3);
+  EXPECT_NEAR(e.absorbed_lm, 2000.0, 1.0);
+  EXPECT_LT(std::abs(e.residual), 1e-3);
+  EXPECT_LT(e.reciprocity, 1e-4);
+  EXPECT_LT(e.closure, 1e-3);
+}
+
+TEST(EnergyBalance, AllOfALonePlatesLightLeaves) {
+  mesh::Model model;
+  support::add_quad(model, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {"plate", "plate"});
+  Study study = test::study_of(std::move(model), 0.5, {1, 1, 1});
+  study.grids[0].normals = {{0, 0, -1}};
+  test::shine(test::material(study, "plate"), 100.0);
+  const EnergyBalance e = balance_of(study);
+  EXPECT_NEAR(e.emitted_lm, 400.0, 1e-3);
+  EXPECT_EQ(e.absorbed_lm, 0.0);
+  EXPECT_NEAR(e.left_lm, 400.0, 1e-3);
+  EXPECT_NEAR(e.residual, 0.0, 1e-6);
+}
+
+TEST(EnergyBalance, WhatLeavesAnOpenBoxFollowsTheFormFactor) {
+  mesh::Model model;
+  const mesh::Model room = support::box_room(4, 4, 3);
+  for (std::size_t p = 0; p < room.polygon_count(); ++p) {
+    if (room.material_names[room.polygon_material[p].index()] == "ceiling") continue;
+    std::vector<mesh::Point> outer;
+    for (const std::uint32_t corner : room.loop(p)) outer.push_back(room.vertices[corner]);
+    support::add_polygon(model, outer, {room.material_names[room.polygon_material[p].index()], "room"});
+  }
+  Study study = test::study_of(std::move(model), 0.0, {2, 2, 1});
+  study.grids[0].normals = {{0, 0, -1}};
+  test::shine(test::material(study, "floor"), 100.0);
+  const EnergyBalance e = balance_of(study);
+  const double through_the_top = 0.28273279 * 1600.0;
+  EXPECT_NEAR(e.left_lm, through_the_top, 5.0);
+  EXPECT_NEAR(e.absorbed_lm, 1600.0 - through_the_top, 2.0);
+}
+
+TEST(EnergyBalance, LampsFluxIsReceivedAndAbsorbed) {
+  Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1});
+  study.point_sources.push_back({.at = {1.3, 2.1, 1.7}, .intensity_cd = 100.0});
+  const EnergyBalance e = balance_of(study);
+  EXPECT_EQ(e.emitted_lm, 0.0);
+  EXPECT_NEAR(e.received_lm, 400.0 * std::numbers::pi, 5.0);
+  EXPECT_LT(std::abs(e.residual), 2e-3);
+}
+
+TEST(EnergyBalance, DarknessIsInBalance) {
+  const EnergyBalance e = balance_of(test::study_of(support::facing_squares(), 0.5, {0.5, 0.5, 0.5}));
+  EXPECT_EQ(e.emitted_lm, 0.0);
+  EXPECT_EQ(e.left_lm, 0.0);
+  EXPECT_EQ(e.residual, 0.0);
+}
+
+}  // namespace
+}  // namespace clerestory::lighting

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "mesh/error.h"
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+using mesh::Point;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A room with a window, a table and a lamp.
+Study room_study() {
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_table(model, {1.2, 1.6, 0.0});
+  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
+  Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
+  test::shine(test::material(study, "lamp"), 1000.0);
+  study.sky.type = Sky::Type::kCieOvercast;
+  Material& roof = test::material(study, "ceiling");
+  roof.front = roof.back = {};
+  roof.glazing = Glazing{};
+  study.grids[0].points.push_back({3, 3, 0.8});
+  study.grids[0].normals.push_back({0, 0, 1});
+  study.accuracy.target = 0.08;
+  return study;
+}
+
+Results answer(const Study& study) {
+  NoProgress nobody;
+  return run(study, nobody);
+}
+
+void expect_same(const Results& a, const Results& b) {
+  ASSERT_EQ(a.grids.size(), b.grids.size());
+  EXPECT_EQ(a.grids[0].illuminance_lux, b.grids[0].illuminance_lux);
+  EXPECT_EQ(a.grids[0].error_lux, b.grids[0].error_lux);
+  EXPECT_EQ(a.surfaces.illuminance_lux, b.surfaces.illuminance_lux);
+  EXPECT_EQ(a.surfaces.radiosity_lm_m2, b.surfaces.radiosity_lm_m2);
+  EXPECT_EQ(a.surfaces.point_illuminance_lux, b.surfaces.point_illuminance_lux);
+  EXPECT_EQ(a.surfaces.cells, b.surfaces.cells);
+  EXPECT_EQ(a.energy.left_lm, b.energy.left_lm);
+  EXPECT_EQ(a.energy.absorbed_lm, b.energy.absorbed_lm);
+  EXPECT_EQ(a.counts.links, b.counts.links);
+  EXPECT_EQ(a.counts.rays, b.counts.rays);
+}
+
+TEST(Run, TwiceGivesTheSameBits) { expect_same(answer(room_study()), answer(room_study())); }
+
+TEST(Run, OneAndTwoThreadsGiveTheSameBits) {
+  set_threads(1);
+  const Results one = answer(room_study());
+  set_threads(2);
+  const Results two = answer(room_study());
+  set_threads(0);
+  expect_same(one, two);
+}
+
+TEST(Run, AnotherSeedGivesOtherValuesWithinTheError) {
+  Study other = room_study();
+  other.accuracy.seed = 99;
+  const Results a = answer(room_study());
+  const Results b = answer(other);
+  EXPECT_NE(a.grids[0].illuminance_lux, b.grids[0].illuminance_lux);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(a.grids[0].illuminance_lux[i], b.grids[0].illuminance_lux[i],
+                3.0 * std::hypot(a.grids[0].error_lux[i], b.grids[0].error_lux[i]));
+  }
+}
+
+TEST(Run, WhereTheModelStandsMattersLittle) {
+  const mesh::Vector shift{612'345.125, 5'412'345.5, 520.25};
+  Study far_off = room_study();
+  far_off.model = support::moved(far_off.model, shift);
+  for (Point& p : far_off.grids[0].points) p = p + shift;
+  const Results here = answer(room_study());
+  const Results there = answer(far_off);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(there.grids[0].illuminance_lux[i], here.grids[0].illuminance_lux[i], 2.0 * here.grids[0].error_lux[i]);
+    EXPECT_NEAR(norm(there.grids[0].sensors.positions[i] - far_off.grids[0].points[i]), 0.0, 1e-8);
+  }
+}
+
+TEST(Run, DaylightFactorsAreSharesOfTheHorizontalIlluminance) {
+  Study study = room_study();
+  study.kind = Study::Kind::kDaylight;
+  study.sky.horizontal_illuminance_lux = 5'000.0;
+  const Results results = answer(study);
+  EXPECT_EQ(results.horizontal_illuminance_lux, 5'000.0);
+  const GridResult& grid = results.grids.at(0);
+  ASSERT_EQ(grid.daylight_factor_percent.size(), 2U);
+  EXPECT_NEAR(grid.daylight_factor_percent[0], grid.illuminance_lux[0] / 50.0, 1e-4);
+  EXPECT_TRUE(grid.metrics.has_daylight_factor);
+}
+
+TEST(Run, CountsAndPhasesAreToldOff) {
+  const Results results = answer(room_study());
+  EXPECT_EQ(results.counts.parts, 3U);
+  EXPECT_EQ(results.counts.polygons, room_study().model.polygon_count());
+  EXPECT_EQ(results.counts.openings, 1U);
+  EXPECT_GT(results.counts.links, 0U);
+  EXPECT_GT(results.counts.rays, 0U);
+  std::vector<std::string> names;
+  for (const PhaseTime& phase : results.phases) names.push_back(phase.name);
+  EXPECT_THAT(names, ElementsAre("cleaning the model", "placing sensors", "meshing", "direct light", "linking",
+                                 "gathering", "balancing"));
+}
+
+TEST(Run, MeetsTheAccuracyItWasAsked) {
+  const Results results = answer(room_study());
+  EXPECT_TRUE(results.accuracy_met);
+  EXPECT_EQ(results.accuracy_target, 0.08);
+  EXPECT_LE(results.accuracy_reached, 0.08);
+  EXPECT_GT(results.accuracy_reached, 0.0);
+}
+
+TEST(Run, ReflectanceOfOneIsRefused) {
+  Study study = room_study();
+  test::material(study, "wall").front.reflectance = Spectrum{1.0F};
+  try {
+    std::ignore = answer(study);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("wall"));
+    EXPECT_THAT(e.what(), HasSubstr("reflectance of 1"));
+    EXPECT_FALSE(e.hint().empty());
+  }
+}
+
+/// Stops a run in a phase.
+class Stopper final : public Progress {
+ public:
+  explicit Stopper(std::string phase) : wanted_(std::move(phase)) {}
+  void phase(std::string_view name) override { here_ = name == wanted_; }
+  void advance(double fraction) override {
+    EXPECT_GE(fraction, 0.0);
+    EXPECT_LE(fraction, 1.0);
+    if (here_) throw std::runtime_error("stop");
+  }
+
+ private:
+  std::string wanted_;
+  bool here_ = false;
+};
+
+TEST(Run, CanBeStoppedInItsLongPhases) {
+  for (const std::string phase : {"direct light", "linking", "gathering"}) {
+    Stopper stopper(phase);
+    EXPECT_THROW(std::ignore = run(room_study(), stopper), std::runtime_error) << phase;
+  }
+}
+
+}  // namespace
+}  // namespace clerestory::lighting

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/surface_values.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+using mesh::Point;
+using mesh::Vector;
+
+constexpr Vector kShift{1000.0, 2000.0, 50.0};
+
+Study furnace() {
+  Study study = test::study_of(support::moved(support::box_room(4, 5, 3), kShift), 0.5, Point{2, 2, 1} + kShift);
+  for (Material& m : study.materials) test::shine(m, 20.0);
+  return study;
+}
+
+Vector area_vector(const SurfaceResult& s, std::size_t cell) {
+  const auto& c = s.cells[cell];
+  return 0.5 * cross(s.points[c[1]] - s.points[c[0]], s.points[c[2]] - s.points[c[0]]);
+}
+
+TEST(SurfaceValues, CellsCoverBothSidesAndArraysAreParallel) {
+  const test::Solved solved(furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  const std::size_t n = s.cells.size();
+  double area[2] = {0.0, 0.0};
+  for (std::size_t i = 0; i < n; ++i) area[s.side[i]] += norm(area_vector(s, i));
+  EXPECT_NEAR(area[0], 94.0, 1e-6);
+  EXPECT_NEAR(area[1], 94.0, 1e-6);
+  for (const std::size_t size :
+       {s.side.size(), s.illuminance_lux.size(), s.error_lux.size(), s.radiosity_lm_m2.size(), s.luminance_cd_m2.size(),
+        s.reflectance.size(), s.level.size(), s.part.size(), s.material.size(), s.room.size()}) {
+    EXPECT_EQ(size, n);
+  }
+  EXPECT_EQ(s.points.size(), s.point_illuminance_lux.size());
+}
+
+TEST(SurfaceValues, PointsStandInModelCoordinates) {
+  const test::Solved solved(furnace());
+  mesh::Box box;
+  for (const Point& p : surface_values(solved.solution).points) box.add(p);
+  EXPECT_NEAR(norm(box.low - (Point{} + kShift)), 0.0, 1e-6);
+  EXPECT_NEAR(norm(box.high - (Point{4, 5, 3} + kShift)), 0.0, 1e-6);
+}
+
+TEST(SurfaceValues, FrontsLookIntoTheRoomAndBacksOut) {
+  const test::Solved solved(furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  const Point middle = Point{2, 2.5, 1.5} + kShift;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    const double inwards = dot(middle - s.points[s.cells[i][0]], area_vector(s, i));
+    EXPECT_EQ(inwards > 0.0, s.side[i] == 0);
+  }
+}
+
+TEST(SurfaceValues, OfTheFurnaceAreItsOwnWithinTheAccuracy) {
+  const test::Solved solved(furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    const bool front = s.side[i] == 0;
+    EXPECT_NEAR(s.illuminance_lux[i], front ? 40.0 : 0.0, 0.8);
+    EXPECT_NEAR(s.radiosity_lm_m2[i], front ? 40.0 : 0.0, 0.8);
+    EXPECT_NEAR(s.luminance_cd_m2[i], s.radiosity_lm_m2[i] / std::numbers::pi, 1e-4);
+    EXPECT_FLOAT_EQ(s.reflectance[i], 0.5F);
+    EXPECT_EQ(s.room[i], -1);
+    for (const std::uint32_t p : s.cells[i]) EXPECT_NEAR(s.point_illuminance_lux[p], front ? 40.0 : 0.0, 0.8);
+  }
+}
+
+TEST(SurfaceValues, NamesBelongToTheCells) {
+  const test::Solved solved(furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    const std::string& name = s.material_names.at(static_cast<std::size_t>(s.material[i]));
+    const double vertical = std::abs(normalized(area_vector(s, i)).z);
+    EXPECT_EQ(name == "wall", vertical < 0.5);
+    EXPECT_EQ(s.part_names.at(static_cast<std::size_t>(s.part[i])), "room");
+  }
+}
+
+TEST(SurfaceValues, PointsAreSharedWithinAFaceAndNeverAcrossItsEdgesOrSides) {
+  const test::Solved solved(furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  std::vector<std::set<std::pair<int, std::array<int, 3>>>> users(s.points.size());
+  std::size_t shared = 0;
+  std::vector<int> count(s.points.size(), 0);
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    const Vector n = normalized(area_vector(s, i));
+    const std::array<int, 3> axis{static_cast<int>(std::lround(n.x)), static_cast<int>(std::lround(n.y)),
+                                  static_cast<int>(std::lround(n.z))};
+    for (const std::uint32_t p : s.cells[i]) {
+      users[p].insert({s.side[i], axis});
+      shared += count[p]++ > 0 ? 1 : 0;
+    }
+  }
+  for (const auto& of_point : users) EXPECT_EQ(of_point.size(), 1U);
+  EXPECT_GT(shared, 0U);
+}
+
+TEST(SurfaceValues, LightDoesNotCrossAContact) {
+  // A wall stands on one floor; only the room x < 3 is lit. Points along its foot are either lit or dark.
+  Study study = test::study_of(support::two_rooms_with_thin_wall(), 0.5, {1.5, 2, 1});
+  study.point_sources.push_back({.at = {1.5, 2, 2.5}, .intensity_cd = 1000.0});
+  const test::Solved solved(study);
+  const SurfaceResult s = surface_values(solved.solution);
+  int lit = 0;
+  int dark = 0;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
+    Vector middle;
+    for (const std::uint32_t p : s.cells[i]) middle = middle + (s.points[p] - Point{}) / 3.0;
+    for (const std::uint32_t p : s.cells[i]) {
+      if (std::abs(s.points[p].x - 3.0) > 1e-6) continue;
+      (middle.x < 3.0 ? lit : dark) += 1;
+      if (middle.x < 3.0) {
+        EXPECT_GT(s.point_illuminance_lux[p], 10.0F);
+      } else {
+        EXPECT_EQ(s.point_illuminance_lux[p], 0.0F);
+      }
+    }
+  }
+  EXPECT_GT(lit, 0);
+  EXPECT_GT(dark, 0);
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
