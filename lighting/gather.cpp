@@ -35,10 +35,11 @@ constexpr double kSamplingShare = 0.7;
 /// Errors of links to different elements are not independent: elements share their sources. Measured on the validation scenes, the
 /// error that the solution makes at a sensor is so many times the one of independent elements.
 constexpr double kCorrelation = 2.2;
-constexpr std::uint32_t kMostRays = 4096;  ///< a replicate and part
+constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;
 constexpr std::uint32_t kMostClearRays = 256;
+constexpr std::uint32_t kMostDarkRays = 256;  ///< a replicate, until half of them have met light
 /// Sensors darker than this share of the grid's mean need not be better than one of that illuminance.
 constexpr double kDarkShare = 0.05;
 
@@ -61,6 +62,10 @@ struct Part {
     double sum = 0.0;
     for (std::size_t r = 0; r < kReplicates; ++r) sum += value(r);
     return sum / kReplicates;
+  }
+  /// Replicates that have met light.
+  [[nodiscard]] std::size_t lit() const {
+    return static_cast<std::size_t>(std::count_if(sums.begin(), sums.end(), [](double s) { return s > 0.0; }));
   }
   /// Of the mean.
   [[nodiscard]] double variance() const {
@@ -163,6 +168,10 @@ class Gatherer {
     Part hemisphere;
     Met met;
     extend(hemisphere, first_rays_, sensor, at, normal, &met);
+    // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
+    while (hemisphere.lit() < kReplicates / 2 && hemisphere.rays < kMostDarkRays) {
+      extend(hemisphere, 2 * hemisphere.rays, sensor, at, normal, nullptr);
+    }
     state.parts.push_back(hemisphere);
     state.discretisation_lux = kCorrelation * discretisation(met, first_rays_ * kReplicates);
     return state;

@@ -14,9 +14,8 @@ struct GlazingCurves {
   double hemispherical_reflectance = 0.0;
 };
 
-/// Curves of a glazing unit. Where one sheet of n = 1.52 cannot transmit as much (T_n > 0.918 for one pane), the whole curve of
-/// the sheet without absorption is scaled. Source: science of clear glass by Fresnel's formulas; T_n → transmissivity as in the
-/// Radiance manual's glass entry.
+/// Curves of a glazing unit by Fresnel's formulas [Ward, glass in the Radiance manual; docs/theory/transport.md]. Where sheets of
+/// n = 1.52 cannot transmit as much (T_n > 0.918 for one pane), the whole curve of sheets without absorption is scaled.
 /// @param transmittance_normal  of the whole unit (0 … 1]
 /// @param panes  1 or more
 GlazingCurves glazing_curves(double transmittance_normal, int panes);

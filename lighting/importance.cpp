@@ -26,7 +26,12 @@ constexpr std::size_t kTellApart = 16;  ///< deposits that make a triangle worth
 constexpr double kSmallest = 0.25;      ///< … if its radius is larger than this [m]
 constexpr double kOwnShare = 0.5;       ///< the rest of a root's importance is spread over it by area
 constexpr double kChance = 0.3;         ///< parts of importance this uneven may be so by chance
-constexpr double kAreaShare = 0.01;     ///< so much importance lies on all surfaces by area, seen from sensors or not
+/// Where the sensors are darker than this share of what the light of the scene would give all surfaces, the scale of tolerances stays
+/// there: a tolerance of next to nothing would split everything to the smallest size.
+constexpr double kDarkest = 1e-3;
+/// Surfaces that see the sky receive about this share of the horizontal illuminance, for that scale.
+constexpr double kSkyShare = 0.1;
+constexpr double kAreaShare = 0.01;  ///< so much importance lies on all surfaces by area, seen from sensors or not
 
 struct Deposit {
   ElementId node;
@@ -96,6 +101,21 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
   return walked;
 }
 
+/// What the light of the scene would give its surfaces if it spread evenly [lux].
+double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
+  double flux_lm = 0.0;
+  double area_m2 = 0.0;
+  for (const ElementId root : tree.roots()) {
+    area_m2 += tree.area(root);
+    flux_lm += tree.area(root) * luminance(scene.side_exitance(tree.face_side(root)), scene.channel_weights);
+  }
+  for (const PointSource& source : scene.point_sources) {
+    flux_lm += (source.lambertian ? 1.0 : 4.0) * std::numbers::pi * source.intensity_cd;
+  }
+  const double by_sky = scene.has_sky() ? kSkyShare * scene.sky.horizontal_illuminance_lux : 0.0;
+  return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
+}
+
 /// Moves the deposits of crowded triangles down to their parts, which are made for that.
 void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
   std::vector<std::vector<std::uint32_t>> on(solution.tree().size());
@@ -123,7 +143,9 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   const auto walks = static_cast<std::uint32_t>(kWalks / std::max<std::size_t>(1, walkers));
   parallel_for(walkers, [&](std::size_t i) {
     const std::size_t sensor = i * positions.size() / walkers;
-    walked[i] = walk(solution, positions[sensor], normals[sensor], walks, mesh::hash(seed, sensor));
+    // A sensor may stand on a surface.
+    const Point lifted = positions[sensor] + solution.scene().rays->offset_m() * normals[sensor];
+    walked[i] = walk(solution, lifted, normals[sensor], walks, mesh::hash(seed, sensor));
   });
 
   std::vector<Deposit> deposits;
@@ -131,6 +153,7 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
     mean_lux_ += of_one.lux / static_cast<double>(walkers);
     deposits.insert(deposits.end(), of_one.deposits.begin(), of_one.deposits.end());
   }
+  mean_lux_ = std::max(mean_lux_, kDarkest * even_lux(solution.scene(), tree));
   divide_crowded(solution, deposits);
   std::vector<double> own(tree.size(), 0.0);
   std::vector<double> counts(tree.size(), 0.0);

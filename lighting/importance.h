@@ -22,7 +22,8 @@ class Importance {
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
   /// The part of a node's importance that does not follow its parts' areas, at any depth, beyond what chance brings about.
   [[nodiscard]] double uneven(mesh::ElementId e) const { return e.index() < uneven_.size() ? uneven_[e.index()] : 0.0; }
-  /// Mean illuminance of the sensors as the walks saw it [lux]: the scale of tolerances.
+  /// Mean illuminance of the sensors as the walks saw it [lux]: the scale of tolerances. Not less than a small share of what the
+  /// scene's light would give all surfaces, so that dark rooms need no endless refinement; zero where nothing shines.
   [[nodiscard]] double mean_lux() const { return mean_lux_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace clerestory::lighting {
 
-/// Which light a ray backwards from a receiver carries, so that each path counts once (science page, section 6).
+/// Which light a ray backwards from a receiver carries, so that each path counts once (docs/theory/transport.md).
 struct PathRule {
   enum class Part {
     kGather,   ///< all but what leaves through a sampled opening, and emission seen straight

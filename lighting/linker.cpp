@@ -26,9 +26,10 @@ namespace {
 constexpr std::size_t kPlaces = 16;  ///< on a piece, at most
 constexpr std::size_t kRays = 24;    ///< or a little more, from all places to a source of partial visibility
 constexpr std::uint32_t kClusterRays = 16;
-constexpr std::uint32_t kFewRays = 4;       ///< to what cannot matter
-constexpr double kSmallest = 0.015;         ///< elements of a smaller radius are not split [m]
-constexpr float kLeastReflectance = 0.02F;  ///< black receivers get links too, but few
+constexpr std::uint32_t kFewRays = 4;  ///< to what cannot matter
+constexpr double kSmallest = 0.015;    ///< elements of a smaller radius are not split [m]
+/// Black receivers reflect nothing, but what they take is shown and belongs to the balance: they count as dark ones.
+constexpr float kLeastReflectance = 0.2F;
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
 constexpr std::size_t kExactPairs = 512;
 constexpr double kInFront = 1e-7;  ///< a corner this far in front of a plane counts as in front [m]
@@ -110,6 +111,11 @@ struct View {
 
   [[nodiscard]] double seen_share() const { return unoccluded > 0.0 ? fit.line.value / unoccluded : 0.0; }
 };
+
+/// Which of two pieces is the smaller; by their keys where they are alike, so that both directions agree.
+bool is_smaller(const mesh::ElementTree& tree, ElementId a, ElementId b) {
+  return tree.area(a) != tree.area(b) ? tree.area(a) < tree.area(b) : tree.key(a) < tree.key(b);
+}
 
 /// Whether rays are cast between the pieces, and which of them receives: openings are crossed by rays from the receiver.
 enum class RaysFrom { kNobody, kHere, kThere };
@@ -277,20 +283,22 @@ std::optional<Link> Linker::link_roughly(const LinkCandidate& candidate) const {
   const mesh::ElementTree& tree = solution_.tree();
   const ElementId r = candidate.receiver;
   const ElementId s = candidate.source.element();
-  const bool receiver_small = tree.area(r) <= tree.area(s);
+  const bool receiver_small = is_smaller(tree, r, s);
   const ElementId from = receiver_small ? r : s;
   const ElementId at = receiver_small ? s : r;
   std::array<OutlineEdge, 3> scratch;
   const double factor =
       point_form_factor(tree.centroid(from), tree.normal(from), tree.outline(at, scratch), tree.normal(at));
   if (factor <= kLeastFactor) return std::nullopt;
-  const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), tree.key(s)), seed_ + 2));
+  // The same rays both ways.
+  const SobolPoints points(mesh::hash(mesh::hash(tree.key(from), tree.key(at)), seed_ + 2));
   const double lift = scene.rays->offset_m();
   std::array<mesh::Segment, kFewRays> segments;
   std::array<float, kFewRays> passed{};
   for (std::uint32_t i = 0; i < kFewRays; ++i) {
-    segments[i] = {tree.sample(r, points.at(i, 0), points.at(i, 1)) + lift * tree.normal(r),
-                   tree.sample(s, points.at(i, 2), points.at(i, 3)) + lift * tree.normal(s)};
+    const Point p = tree.sample(from, points.at(i, 0), points.at(i, 1)) + lift * tree.normal(from);
+    const Point q = tree.sample(at, points.at(i, 2), points.at(i, 3)) + lift * tree.normal(at);
+    segments[i] = receiver_small ? mesh::Segment{p, q} : mesh::Segment{q, p};
   }
   scene.rays->transmittance(segments, passed);
   double share = 0.0;
@@ -326,7 +334,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
 
   // Quadrature is good over the smaller piece: from there the larger one is seen whole, and its point form factor is exact. Over a
   // large receiver it would miss the bright spot next to a small source.
-  const bool receiver_small = tree.area(r) <= tree.area(s);
+  const bool receiver_small = is_smaller(tree, r, s);
   const RaysFrom rays = link.visibility != Visibility::kPartial ? RaysFrom::kNobody
                         : receiver_small                        ? RaysFrom::kHere
                                                                 : RaysFrom::kThere;

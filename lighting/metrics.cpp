@@ -9,7 +9,7 @@ namespace clerestory::lighting {
 
 namespace {
 
-/// Errors of sensors darker than this share of the mean count against this share of it [science page, section 6].
+/// Errors of sensors darker than this share of the mean count against this share of it [docs/theory/accuracy.md].
 constexpr double kDarkShare = 0.05;
 /// This share of the sensors must be within twice the target.
 constexpr double kShareWithinTwice = 0.95;

@@ -80,10 +80,11 @@ struct EnergyBalance {
   double emitted_lm = 0.0;   ///< by surfaces
   double received_lm = 0.0;  ///< on surfaces directly from the sky and point sources
   double absorbed_lm = 0.0;
-  double left_lm = 0.0;      ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
-  double residual = 0.0;     ///< (emitted + received - absorbed - left) / (emitted + received)
-  double reciprocity = 0.0;  ///< largest |G_rs - G_sr| / max over the sampled links, weighted by flux
-  double closure = 0.0;      ///< flux-weighted mean of |sum of form factors + share that leaves - 1|
+  double left_lm = 0.0;   ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
+  double residual = 0.0;  ///< (emitted + received - absorbed - left) / (emitted + received)
+  double reciprocity =
+      0.0;               ///< sum of |A_r F_rs - A_s F_sr| over pairs linked both ways, as a share of what they exchange
+  double closure = 0.0;  ///< flux-weighted mean sum of form factors, less the share of rays that land on surfaces
 };
 
 struct PhaseTime {

@@ -27,7 +27,7 @@ namespace {
 constexpr double kLinkShare = 0.001;
 constexpr double kDirectShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
-constexpr double kStartSize_m = 1e9;
+constexpr double kStartSizeM = 1e9;
 
 /// Notes the time of each phase.
 class Clock {
@@ -150,7 +150,7 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("meshing", progress);
   mesh::MeshOptions mesh_options;
-  mesh_options.max_size_m = kStartSize_m;
+  mesh_options.max_size_m = kStartSizeM;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, mesh_options);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
 

@@ -8,7 +8,7 @@
 namespace clerestory::lighting {
 
 /// A value per band, photometrically normalised: neutral stimuli have the same number in every band, and
-/// luminance is the sum of weight x value (science page, section 1). One band is grey.
+/// luminance is the sum of weight x value (docs/theory/transport.md). One band is grey.
 using Spectrum = std::vector<float>;
 
 /// Weights of the bands in luminance: {1} for one band, Radiance's primaries (0.265, 0.670, 0.065) for three,

@@ -39,7 +39,7 @@ struct GridRequest {
 
 /// The one number that the user asks for, and what tests may vary.
 struct Accuracy {
-  double target = 0.02;    ///< what it promises: science page, section 6
+  double target = 0.02;    ///< what it promises: docs/theory/accuracy.md
   std::uint64_t seed = 0;  ///< of the low-discrepancy points' scrambling
 };
 
