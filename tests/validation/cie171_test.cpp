@@ -2,7 +2,8 @@
 // CIE 171:2006, Test cases to assess the accuracy of lighting computer programs: 5.3, 5.6, 5.7 and 5.9–5.12. The values were
 // recomputed from the formulas; several printed cells of the report are wrong. Tolerance: 1 % of each value, or 0.01 lx
 // (5.3–5.7) or 0.01 % of the horizontal illuminance (5.9–5.12) where that is larger. The rooms are black and the light is direct, so that
-// the default accuracy must do.
+// the default accuracy must do, except where light has to be found by sampling: behind the box of 5.7, and through holes that nothing
+// marks. An accuracy is a standard uncertainty: every one of some 150 sensors keeps 1 % if that is over three of it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,6 +24,7 @@ using cie171::row_points;
 using cie171::wall_points;
 
 constexpr double kRelativeTolerance = 0.01;
+constexpr double kAccuracyOfSampled = 0.0025;
 constexpr mesh::Vector kUp{0, 0, 1};
 constexpr mesh::Vector kDown{0, 0, -1};
 constexpr mesh::Vector kNorth{0, 1, 0};
@@ -84,6 +86,7 @@ TEST(Cie171, Case57WallAsReflectorBehindAnObstruction) {
   support::add_box(model, {0, 2.5, 0}, {4, 2.7, 1}, {.material = "box", .part = "box"});
   lighting::Study study = grey_study(std::move(model), 0.0);
   shine(material(study, "north"), 100.0);
+  study.accuracy.target = kAccuracyOfSampled;
   auto row = row_points(0.0);
   row.resize(5);
   add_sensors(study, wall_points(0.0), kNorth);
@@ -118,6 +121,7 @@ lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling) {
   opening.material = filling.material;
   lighting::Study study = grey_study(cie171::room({opening}), 0.0);
   study.kind = lighting::Study::Kind::kDaylight;
+  if (opening.material.empty()) study.accuracy.target = kAccuracyOfSampled;
   study.sky = {
       .type = lighting::Sky::Type::kCieOvercast, .horizontal_illuminance_lux = 100.0, .ground_reflectance = 0.3};
   for (lighting::Material& m : study.materials) {
