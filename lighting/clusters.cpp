@@ -20,10 +20,25 @@ Box box_of(const mesh::ElementTree& tree, ElementId e) {
   return box;
 }
 
+/// Which of the six directions of the axes a surface looks at most.
+int direction_of(const mesh::Vector& n) {
+  const double x = std::abs(n.x);
+  const double y = std::abs(n.y);
+  const double z = std::abs(n.z);
+  if (z >= x && z >= y) return n.z > 0.0 ? 0 : 1;
+  if (y >= x) return n.y > 0.0 ? 2 : 3;
+  return n.x > 0.0 ? 4 : 5;
+}
+
 }  // namespace
 
 Clusters::Clusters(const mesh::ElementTree& tree) {
   order_.assign(tree.roots().begin(), tree.roots().end());
+  // Surfaces that look the same way first: what a receiver sees of a cluster are those that face it, and they must shine as its mean
+  // does. Bundles of fronts and backs would hand on the mean of lit and dark sides.
+  std::stable_sort(order_.begin(), order_.end(), [&](ElementId a, ElementId b) {
+    return direction_of(tree.normal(a)) < direction_of(tree.normal(b));
+  });
   if (!order_.empty()) build(tree, 0, static_cast<std::uint32_t>(order_.size()));
   area_before_.push_back(0.0);
   for (const ElementId root : order_) area_before_.push_back(area_before_.back() + tree.area(root));
@@ -46,17 +61,30 @@ void Clusters::build(const mesh::ElementTree& tree, std::uint32_t begin, std::ui
   nodes_[id] = node;
   if (node.count == 1) return;
 
-  const mesh::Vector size = centres.size();
-  const auto along = [&](ElementId e) {
-    const Point& c = tree.centroid(e);
-    return size.x >= size.y && size.x >= size.z ? c.x : (size.y >= size.z ? c.y : c.z);
-  };
-  std::stable_sort(order_.begin() + begin, order_.begin() + end,
-                   [&](ElementId a, ElementId b) { return along(a) < along(b); });
-  const std::uint32_t middle = begin + (end - begin) / 2;
+  const std::uint32_t middle = part(tree, begin, end, centres.size());
   build(tree, begin, middle);
   nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
   build(tree, middle, end);
+}
+
+std::uint32_t Clusters::part(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end,
+                             const mesh::Vector& extent) {
+  const auto first = order_.begin() + begin;
+  const auto last = order_.begin() + end;
+  const int low = direction_of(tree.normal(*first));
+  const int high = direction_of(tree.normal(*(last - 1)));
+  if (low != high) {
+    // Still sorted by direction: half of the directions to either side.
+    const int cut = (low + high + 1) / 2;
+    const auto found = std::find_if(first, last, [&](ElementId e) { return direction_of(tree.normal(e)) >= cut; });
+    return static_cast<std::uint32_t>(found - order_.begin());
+  }
+  const auto along = [&](ElementId e) {
+    const Point& c = tree.centroid(e);
+    return extent.x >= extent.y && extent.x >= extent.z ? c.x : (extent.y >= extent.z ? c.y : c.z);
+  };
+  std::stable_sort(first, last, [&](ElementId a, ElementId b) { return along(a) < along(b); });
+  return begin + (end - begin) / 2;
 }
 
 ClusterPoint Clusters::sample(const mesh::ElementTree& tree, std::uint32_t c, double a, double b) const {

@@ -17,7 +17,8 @@ struct ClusterPoint {
 };
 
 /// A binary tree of clusters over the roots of the element tree: bundles of surfaces that send light as one source to receivers
-/// for which their detail does not matter [Smits, Arvo, Greenberg 1994; Sillion 1995]. Leaves hold one root each.
+/// for which their detail does not matter [Smits, Arvo, Greenberg 1994; Sillion 1995]. Surfaces that look the same way are bundled
+/// first, neighbours next. Leaves hold one root each.
 class Clusters {
  public:
   explicit Clusters(const mesh::ElementTree& tree);
@@ -58,6 +59,8 @@ class Clusters {
   };
 
   void build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end);
+  /// Parts a range of roots in two; gives where the second part begins.
+  std::uint32_t part(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end, const mesh::Vector& extent);
 
   std::vector<Node> nodes_;  ///< parents before children, the left child next to its parent
   std::vector<mesh::ElementId> order_;

@@ -34,7 +34,7 @@ constexpr double kStudent = 2.18 / 2.0;
 constexpr double kSamplingShare = 0.7;
 /// Errors of links to different elements are not independent: elements share their sources. Measured on the validation scenes, the
 /// error that the solution makes at a sensor is so many times the one of independent elements.
-constexpr double kCorrelation = 2.2;
+constexpr double kCorrelation = 3.0;
 constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;

@@ -153,7 +153,7 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
     mean_lux_ += of_one.lux / static_cast<double>(walkers);
     deposits.insert(deposits.end(), of_one.deposits.begin(), of_one.deposits.end());
   }
-  mean_lux_ = std::max(mean_lux_, kDarkest * even_lux(solution.scene(), tree));
+  mean_lux_ = std::max(mean_lux_, (walkers == 0 ? 1.0 : kDarkest) * even_lux(solution.scene(), tree));
   divide_crowded(solution, deposits);
   std::vector<double> own(tree.size(), 0.0);
   std::vector<double> counts(tree.size(), 0.0);

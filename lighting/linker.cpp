@@ -388,26 +388,28 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
   std::array<mesh::Segment, kClusterRays> segments;
   std::array<float, kClusterRays> passed{};
   std::array<double, kClusterRays> kernel{};
+  std::size_t facing = 0;
   for (std::uint32_t i = 0; i < rays; ++i) {
     const Point p = tree.sample(r, points.at(i, 0), points.at(i, 1));
     const ClusterPoint q = clusters_.sample(tree, c, points.at(i, 2), points.at(i, 3));
     const Vector to = q.at - p;
     const double distance2 = dot(to, to);
-    kernel[i] = clusters_.area(c) * std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, q.normal)) /
-                (std::numbers::pi * distance2 * distance2);
-    segments[i] = {p + lift * normal, q.at + lift * q.normal};
+    const double cosines = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, q.normal));
+    if (cosines <= 0.0) continue;
+    kernel[facing] = clusters_.area(c) * cosines / (std::numbers::pi * distance2 * distance2);
+    segments[facing++] = {p + lift * normal, q.at + lift * q.normal};
   }
-  scene.rays->transmittance(std::span(segments).first(rays), std::span(passed).first(rays));
+  scene.rays->transmittance(std::span(segments).first(facing), std::span(passed).first(facing));
   double sum = 0.0;
   double square = 0.0;
   double unoccluded = 0.0;
-  for (std::uint32_t i = 0; i < rays; ++i) {
+  for (std::size_t i = 0; i < facing; ++i) {
     const double f = kernel[i] * passed[i];
     sum += f / rays;
     square += f * f / rays;
     unoccluded = std::max(unoccluded, kernel[i]);
   }
-  if (unoccluded <= 0.0 && !rough) return std::nullopt;
+  if (facing == 0 && !rough) return std::nullopt;
   Link link;
   link.receiver = r;
   link.source = candidate.source;

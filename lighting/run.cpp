@@ -24,7 +24,7 @@ namespace {
 
 /// Error at the sensors that one link, or one node's direct light, may cause, as a share of the accuracy. Many such errors, of
 /// either sign, add up; measured on the validation scenes.
-constexpr double kLinkShare = 0.001;
+constexpr double kLinkShare = 0.0005;
 constexpr double kDirectShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
