@@ -44,8 +44,7 @@ constexpr std::int32_t kOpenSky = -1;
 
 /// A surface seen through an opening.
 struct SeenBeyond {
-  FaceSide side;
-  Point at;
+  SurfacePoint point;
   float factor = 0.0F;
 };
 
@@ -81,11 +80,11 @@ struct Collector {
   double sky_lux = 0.0;
   double guess_lux = 0.0;
 
-  void surface(FaceSide side, const Point& at, float weight, bool) {
+  void surface(const SurfacePoint& seen, float weight, bool) {
     if (!surfaces_count) return;
-    if (beyond != nullptr) beyond->push_back({side, at, weight});
-    const float rho = luminance(scene->side_reflectance(side), scene->channel_weights);
-    const float own = luminance(scene->side_exitance(side), scene->channel_weights);
+    if (beyond != nullptr) beyond->push_back({seen, weight});
+    const float rho = luminance(scene->side_reflectance(seen.side), scene->channel_weights);
+    const float own = luminance(scene->side_exitance(seen.side), scene->channel_weights);
     guess_lux += weight * (own + rho * kBeyondGuess * scene->sky.horizontal_illuminance_lux);
   }
   void sky(const Vector& direction, float weight) {
@@ -380,9 +379,9 @@ void add_links(const Solution& solution, ElementId receiver, const Survey& surve
   };
   std::map<std::uint32_t, Sum> sums;
   for (const SeenBeyond& seen : measured.beyond) {
-    const ElementId source = solution.element_at(seen.side, seen.at);
+    const ElementId source = solution.element_at(seen.point.side, seen.point.region, seen.point.at);
     if (!source.valid()) continue;
-    const Vector d = seen.at - tree.centroid(source);
+    const Vector d = seen.point.at - tree.centroid(source);
     Sum& sum = sums[source.value];
     sum.factor += seen.factor;
     sum.u += seen.factor * dot(d, tree.axes(source).u);

@@ -13,7 +13,6 @@
 namespace clerestory::lighting {
 
 using mesh::ElementId;
-using mesh::FaceSide;
 using mesh::Point;
 using mesh::Vector;
 
@@ -25,7 +24,7 @@ constexpr std::uint32_t kRays = 1U << 16U;
 /// The share of a ray that ends on opaque surfaces.
 struct Landing {
   double share = 0.0;
-  void surface(FaceSide, const Point&, float weight, bool) { share += weight; }
+  void surface(const SurfacePoint&, float weight, bool) { share += weight; }
   void sky(const Vector&, float) {}
 };
 

@@ -9,7 +9,7 @@
 namespace clerestory::lighting {
 
 /// Factors below this are the rounding of coordinates: pieces that lie in one plane, or look past each other.
-inline constexpr double kLeastFactor = 1e-9;
+inline constexpr double kLeastFactor = 1e-7;
 
 /// Form factor from a point to a planar polygon without occluders: the share of the cosine-weighted hemisphere about `normal`
 /// that the polygon covers [0 … 1]. Exact, horizon clipping included [Lambert; Baum, Rushmeier, Winget 1989].

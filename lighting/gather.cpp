@@ -18,7 +18,6 @@
 namespace clerestory::lighting {
 
 using mesh::ElementId;
-using mesh::FaceSide;
 using mesh::Point;
 using mesh::Vector;
 using mesh::Visibility;
@@ -112,13 +111,13 @@ struct Looker {
   double lux = 0.0;
   std::vector<std::pair<std::uint32_t, float>>* met = nullptr;  ///< elements with weights, where asked for
 
-  void surface(FaceSide side, const Point& at, float weight, bool with_emission) {
-    const ElementId e = solution->element_at(side, at);
+  void surface(const SurfacePoint& seen, float weight, bool with_emission) {
+    const ElementId e = solution->element_at(seen.side, seen.region, seen.at);
     if (!e.valid()) return;
     const Scene& scene = solution->scene();
     float b = 0.0F;
     for (std::size_t c = 0; c < scene.channels; ++c) {
-      b += scene.channel_weights[c] * solution->radiosity_at(e, at, c, with_emission);
+      b += scene.channel_weights[c] * solution->radiosity_at(e, seen.at, c, with_emission);
     }
     lux += static_cast<double>(weight) * b;
     if (met != nullptr) met->emplace_back(e.value, weight);

@@ -48,14 +48,12 @@ struct Walked {
 /// Takes what a ray sees; panes are passed, their mirror images left out.
 struct LastSurface {
   const Sky* light;
-  mesh::FaceSide side;
-  Point at;
+  SurfacePoint point;
   float weight = 0.0F;
   double sky_lux = 0.0;
 
-  void surface(mesh::FaceSide s, const Point& p, float w, bool) {
-    side = s;
-    at = p;
+  void surface(const SurfacePoint& p, float w, bool) {
+    point = p;
     weight = w;
   }
   void sky(const Vector& direction, float w) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
@@ -84,18 +82,18 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
     for (int bounce = 0; bounce < kBounces; ++bounce) {
       const SobolPoints points(mesh::hash(seed, static_cast<std::uint64_t>(bounce)));
       const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
-      LastSurface seen{&scene.sky, {}, {}, 0.0F, 0.0};
+      LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
       walked.lux += weight * (seen.sky_lux + by_point_sources(scene, at, facing));
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;
-      const ElementId node = solution.tree().find(seen.side, seen.at);
+      const ElementId node = solution.tree().find(seen.point.side, seen.point.region, seen.point.at);
       if (!node.valid()) break;
-      walked.deposits.push_back({node, seen.at, weight});
-      walked.lux += weight * luminance(scene.side_exitance(seen.side), scene.channel_weights);
-      weight *= luminance(scene.side_reflectance(seen.side), scene.channel_weights);
+      walked.deposits.push_back({node, seen.point.at, weight});
+      walked.lux += weight * luminance(scene.side_exitance(seen.point.side), scene.channel_weights);
+      weight *= luminance(scene.side_reflectance(seen.point.side), scene.channel_weights);
       facing = solution.tree().normal(node);
-      at = seen.at + scene.rays->offset_m() * facing;
+      at = seen.point.at + scene.rays->offset_m() * facing;
     }
   }
   return walked;

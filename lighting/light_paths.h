@@ -19,12 +19,19 @@ struct PathRule {
   bool mirrors = true;        ///< panes reflect specularly; where the solution stands in for it by diffuse panes: false
 };
 
+/// Where a path meets an opaque surface.
+struct SurfacePoint {
+  mesh::FaceSide side;
+  std::uint32_t region = 0;  ///< of the face
+  mesh::Point at;
+};
+
 /// Weights below this share of the start are dropped.
 inline constexpr float kLeastWeight = 1e-4F;
 inline constexpr int kMostPanes = 16;
 
 /// Follows a ray backwards through panes to what it sees. The visitor gets
-///   surface(FaceSide, const Point&, float weight, bool with_emission)  and  sky(const Vector& direction, float weight).
+///   surface(const SurfacePoint&, float weight, bool with_emission)  and  sky(const Vector& direction, float weight).
 /// @param direction  of unit length
 template <class Visitor>
 void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& direction, float weight, PathRule rule,
@@ -41,7 +48,8 @@ void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& directio
     const mesh::Point at = origin + hit.distance * direction;
     if (scene.passable[f] == 0) {
       if (rule.part != Part::kOpening) {
-        visitor.surface(mesh::FaceSide{hit.face, hit.side}, at, weight, rule.part == Part::kAll);
+        const std::uint32_t region = scene.faces.shape.triangles[hit.triangle].region;
+        visitor.surface(SurfacePoint{{hit.face, hit.side}, region, at}, weight, rule.part == Part::kAll);
       }
       return;
     }

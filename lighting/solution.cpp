@@ -47,8 +47,8 @@ void Solution::open(ElementId e) {
   }
 }
 
-ElementId Solution::element_at(mesh::FaceSide side, const mesh::Point& point) const {
-  ElementId e = tree_.find(side, point);
+ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
+  ElementId e = tree_.find(side, region, point);
   if (!e.valid()) return e;
   // The tree may be deeper than the solution: up to the highest node that is not open.
   ElementId element = e;

@@ -40,8 +40,8 @@ class Solution {
   /// Splits a triangle without making its children take part: they are there to be told apart. Serial.
   void divide(mesh::ElementId e);
 
-  /// The element that holds a point of a face side; invalid where the side carries none.
-  [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, const mesh::Point& point) const;
+  /// The element that holds a point of a region of a face side; invalid where the side carries none.
+  [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const;
   /// All elements, in order of their ids.
   [[nodiscard]] std::vector<mesh::ElementId> elements() const;
 

@@ -14,6 +14,8 @@ namespace {
 
 /// Slack of point location, relative to an element's size: a hit on an edge belongs to one of its neighbours.
 constexpr double kEdgeSlack = 1e-6;
+/// Sampled points keep off edges by a ten-thousandth of the triangle: more than rays' single precision, less than anything to be seen.
+constexpr double kInside = 1.0 - 1e-4;
 
 Point mean(const std::array<Point, 3>& c) {
   return {(c[0].x + c[1].x + c[2].x) / 3.0, (c[0].y + c[1].y + c[2].y) / 3.0, (c[0].z + c[1].z + c[2].z) / 3.0};
@@ -247,7 +249,7 @@ Point ElementTree::sample(ElementId e, double a, double b) const {
       n = &nodes_[n->first_child + 1];
     }
   }
-  return in_triangle(corners_[n->shape], a, b);
+  return n->centroid + kInside * (in_triangle(corners_[n->shape], a, b) - n->centroid);
 }
 
 void ElementTree::split(ElementId e) {
@@ -299,8 +301,16 @@ ElementId ElementTree::child_at(ElementId e, const Point& point) const {
   return ElementId(first + 3);
 }
 
-ElementId ElementTree::find(FaceSide side, const Point& point) const {
+ElementId ElementTree::find(FaceSide side, const Point& point) const { return find_below(roots_of(side), point); }
+
+ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point) const {
   const auto roots = roots_of(side);
+  if (roots.empty()) return {};
+  assert(region < roots.size());
+  return find_below(roots.subspan(region, 1), point);
+}
+
+ElementId ElementTree::find_below(std::span<const ElementId> roots, const Point& point) const {
   if (roots.empty()) return {};
   // Slack grows until something holds the point: hits are rounded, and may lie just outside the face.
   for (double slack = kEdgeSlack; slack < 1.0; slack *= 30.0) {

@@ -70,7 +70,8 @@ class ElementTree {
   /// Start triangles below (or, for parts of one, above) a node.
   [[nodiscard]] std::size_t start_triangle_count(ElementId e) const { return node(e).end - node(e).begin; }
 
-  /// The point of the node that belongs to (a, b) in the unit square, uniform by area.
+  /// The point of the node that belongs to (a, b) in the unit square, uniform by area but for a hair along the edges: rays that start
+  /// there stay on their side of whatever stands on an edge.
   [[nodiscard]] Point sample(ElementId e, double a, double b) const;
 
   /// Splits a triangle without children into four by its edges' midpoints. Serial.
@@ -80,6 +81,8 @@ class ElementTree {
   [[nodiscard]] ElementId child_at(ElementId e, const Point& point) const;
   /// The deepest node of a face side that holds a point of its plane; invalid where the side carries no elements.
   [[nodiscard]] ElementId find(FaceSide side, const Point& point) const;
+  /// The same where the region is known, as from a ray's triangle: a point that is rounded across a contact stays on its side of it.
+  [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point) const;
 
  private:
   struct Node {
@@ -112,6 +115,7 @@ class ElementTree {
   void add_second_moments(const Triangulation& mesh, Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
   void split_group(const Triangulation& mesh, std::uint32_t group);
+  [[nodiscard]] ElementId find_below(std::span<const ElementId> roots, const Point& point) const;
   [[nodiscard]] bool holds(const Node& node, const Point& point, double slack) const;
 
   std::vector<Node> nodes_;

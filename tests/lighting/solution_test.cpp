@@ -127,7 +127,7 @@ TEST(Solution, PartsThatAreOnlyToldApartTakeNoPart) {
   EXPECT_FALSE(s.solution.is_open(triangle));
   EXPECT_EQ(s.solution.elements().size(), before);
   const mesh::Point p = s.solution.tree().centroid(s.solution.tree().first_child(triangle));
-  EXPECT_EQ(s.solution.element_at(s.solution.tree().face_side(triangle), p), triangle);
+  EXPECT_EQ(s.solution.element_at(s.solution.tree().face_side(triangle), 0, p), triangle);
 }
 
 TEST(Solution, ElementAtAPointIsTheOneThatHoldsIt) {
@@ -135,7 +135,7 @@ TEST(Solution, ElementAtAPointIsTheOneThatHoldsIt) {
   s.open_at_random(60);
   for (const ElementId e : s.floor_elements()) {
     const mesh::Point p = s.solution.tree().sample(e, 0.4, 0.3);
-    EXPECT_EQ(s.solution.element_at(s.solution.tree().face_side(e), p), e);
+    EXPECT_EQ(s.solution.element_at(s.solution.tree().face_side(e), 0, p), e);
   }
 }
 
