@@ -65,7 +65,8 @@ class Solver {
     std::vector<LinkCandidate> candidates;
     std::vector<Link> kept;
     for (std::size_t i = 0; i < links_.size(); ++i) {
-      if (good[i] == 0 && links_[i].rough) {
+      // Links to clusters follow how bright their members are, which the last pass has changed.
+      if (links_[i].source.is_cluster() || (good[i] == 0 && links_[i].rough)) {
         candidates.push_back({links_[i].receiver, links_[i].source, links_[i].visibility});
         continue;
       }
