@@ -79,7 +79,7 @@ std::string reflectance_words(const lighting::Spectrum& reflectance) {
   return fmt::format("{:.2f}, {:.2f}, {:.2f} (red, green, blue)", reflectance[0], reflectance[1], reflectance[2]);
 }
 
-std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const MtlMaterial& mtl) {
+std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const SourceMaterial& mtl) {
   if (!mtl.diffuse) return std::nullopt;
   if (mtl.textured) {
     textured_.push_back(mtl.name);
@@ -94,7 +94,7 @@ std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const
                             static_cast<float>(colour[2])};
 }
 
-void MaterialAssumptions::decide(const MtlMaterial& mtl, lighting::Material& material) {
+void MaterialAssumptions::decide(const SourceMaterial& mtl, lighting::Material& material) {
   if (mtl.shines) shining_.push_back(mtl.name);
   const bool like_glass = is_named_like_glass(mtl.name);
   if (like_glass || mtl.opacity.value_or(1.0) < kClearBelow) {

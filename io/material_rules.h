@@ -19,10 +19,10 @@ bool is_named_like_glass(std::string_view name);
 class MaterialAssumptions {
  public:
   /// Decides what the study leaves open of a material: name like glass, MTL, orientation, in that order.
-  void decide(const MtlMaterial& mtl, lighting::Material& material);
+  void decide(const SourceMaterial& mtl, lighting::Material& material);
 
   /// The MTL's diffuse colour as reflectance where the study leaves that open. Nothing where there is none.
-  std::optional<lighting::Spectrum> diffuse_reflectance(const MtlMaterial& mtl);
+  std::optional<lighting::Spectrum> diffuse_reflectance(const SourceMaterial& mtl);
 
   /// One sentence each.
   [[nodiscard]] std::vector<std::string> sentences() const;

@@ -56,7 +56,7 @@ std::optional<double> opacity(const Opacity& given) {
   return *given.transparency == 1.0 ? 1.0 : 1.0 - *given.transparency;
 }
 
-void read_statement(const LineReader& reader, const Words& words, MtlMaterial& material, Opacity& given) {
+void read_statement(const LineReader& reader, const Words& words, SourceMaterial& material, Opacity& given) {
   const std::string keyword = lower(words[0]);
   if (keyword == "kd") material.diffuse = colour(reader, words);
   if (keyword == "d") given.dissolve = factor(reader, words);
@@ -71,9 +71,9 @@ void read_statement(const LineReader& reader, const Words& words, MtlMaterial& m
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(const std::filesystem::path& path) {
+std::vector<SourceMaterial> read_mtl(const std::filesystem::path& path) {
   LineReader reader(path, "MTL file");
-  std::vector<MtlMaterial> materials;
+  std::vector<SourceMaterial> materials;
   Opacity given;
   while (reader.next_continued()) {
     const std::string_view line = trim(reader.line());

@@ -81,7 +81,7 @@ MtlLibrary read_mtl_library(const fs::path& model, const std::vector<MtlReferenc
   }
   std::unordered_map<std::string, std::size_t> by_name;
   for (const fs::path& file : library.files) {
-    for (MtlMaterial& material : read_mtl(file)) {
+    for (SourceMaterial& material : read_mtl(file)) {
       const auto [at, is_new] = by_name.emplace(material.name, library.materials.size());
       if (is_new) {
         library.materials.push_back(std::move(material));

@@ -18,7 +18,8 @@ struct MtlReference {
 
 /// The materials of all MTL files of a model.
 struct MtlLibrary {
-  std::vector<MtlMaterial> materials;  ///< by name in order of first definition; of two with one name the later counts
+  std::vector<SourceMaterial>
+      materials;  ///< by name in order of first definition; of two with one name the later counts
   std::vector<std::filesystem::path> files;
   std::vector<std::string> notices;  ///< one sentence each
 };

@@ -9,8 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
+#include "io/model_builder.h"
 #include "io/mtl_library.h"
 #include "io/text_file.h"
 #include "io/words.h"
@@ -20,9 +20,6 @@ namespace clerestory::io {
 
 namespace {
 
-constexpr const char* kUnnamed = "default";  // the material and the part of faces that stand before any name
-constexpr double kFarthestCoordinate =
-    1e9;  // file units: 1000 km in millimetres; squares and cubes of more mean nothing
 constexpr std::size_t kHeaderComments = 100;
 
 /// Keywords that say nothing of polygons, parts or materials.
@@ -32,27 +29,11 @@ constexpr std::array<std::string_view, 34> kPassedOver{
     "end",        "con",       "mg",    "bevel", "lod",  "maplib", "usemap", "c_interp", "d_interp",
     "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",    "t"};
 
-/// Ids of names in the order of their first use.
-template <class Id>
-class Names {
- public:
-  Id id(const std::string& name) {
-    const auto [at, is_new] = ids_.emplace(name, Id(names_.size()));
-    if (is_new) names_.push_back(name);
-    return at->second;
-  }
-  [[nodiscard]] std::vector<std::string> take() { return std::move(names_); }
-
- private:
-  std::unordered_map<std::string, Id> ids_;
-  std::vector<std::string> names_;
-};
-
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& path) : path_(path), lines_(path, "model") {}
+  explicit ObjReader(const std::filesystem::path& path) : path_(path), lines_(path, "model"), builder_(lines_.file()) {}
 
-  ObjFile read(const ModelFormat& format);
+  ModelFile read(const ModelFormat& format);
 
  private:
   void read_statement();
@@ -61,53 +42,41 @@ class ObjReader {
   std::uint32_t corner(std::string_view word) const;
   void read_comment(std::string_view line);
   void pass_over(std::string_view keyword);
-  void check_corners() const;
-  void drop_unused_vertices();
-  void attach_materials(ObjFile& result);
-  void choose_unit(const ModelFormat& format, ObjFile& result) const;
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const {
     throw InputError(lines_.file(), lines_.number(), what, hint);
   }
 
   std::filesystem::path path_;
   LineReader lines_;
-  mesh::Model model_;
-  Names<mesh::MaterialId> materials_;
-  Names<mesh::PartId> parts_;
+  ModelBuilder builder_;
   std::string material_ = kUnnamed;
   std::string object_ = kUnnamed;
   std::string part_ = kUnnamed;
   std::vector<MtlReference> mtllibs_;
   std::vector<std::uint32_t> face_corners_;
   std::size_t header_comments_ = 0;
-  std::optional<LengthUnit> header_unit_;
-  std::uint64_t header_unit_line_ = 0;
+  std::optional<ToldUnit> told_unit_;
   std::size_t unknown_lines_ = 0;
   std::string first_unknown_;
   std::size_t curved_surfaces_ = 0;
 };
 
-ObjFile ObjReader::read(const ModelFormat& format) {
+ModelFile ObjReader::read(const ModelFormat& format) {
   while (lines_.next_continued()) read_statement();
-  if (model_.polygon_count() == 0)
-    throw InputError(lines_.file(), 0, "there is no face in this model", "export it with its surfaces, as polygons");
-  check_corners();
-  drop_unused_vertices();
 
-  ObjFile result;
+  MtlLibrary library = read_mtl_library(path_, mtllibs_);
+  ModelFile result;
   result.files.push_back(path_);
-  model_.material_names = materials_.take();
-  model_.part_names = parts_.take();
-  attach_materials(result);
-  choose_unit(format, result);
+  result.files.insert(result.files.end(), library.files.begin(), library.files.end());
+  result.notices = std::move(library.notices);
+  builder_.finish(result, format, told_unit_);
+  attach_materials(std::move(library.materials), result);
   if (curved_surfaces_ > 0)
     result.notices.push_back(
         fmt::format("{} free-form surfaces of the model were left out: only polygons are read.", curved_surfaces_));
   if (unknown_lines_ > 0)
     result.notices.push_back(fmt::format("{} lines of the model were not understood and passed over, the first is {}.",
                                          unknown_lines_, first_unknown_));
-  to_metres_z_up(model_, result.unit, format.up);
-  result.model = std::move(model_);
   return result;
 }
 
@@ -137,9 +106,9 @@ void ObjReader::read_statement() {
 }
 
 void ObjReader::read_comment(std::string_view line) {
-  if (!model_.vertices.empty() || header_unit_ || header_comments_++ >= kHeaderComments) return;
-  header_unit_ = unit_in_comment(line.substr(0, 200));
-  header_unit_line_ = lines_.number();
+  if (builder_.vertex_count() > 0 || told_unit_ || header_comments_++ >= kHeaderComments) return;
+  if (const auto unit = unit_in_comment(line.substr(0, 200)))
+    told_unit_ = ToldUnit{*unit, fmt::format("as line {} of the model says", lines_.number())};
 }
 
 void ObjReader::pass_over(std::string_view keyword) {
@@ -160,14 +129,9 @@ void ObjReader::read_vertex(const std::vector<std::string_view>& words) {
     if (!value)
       fail(fmt::format("the coordinate {} is no finite number", in_quotes(words[axis + 1])),
            "correct or remove this vertex");
-    if (std::abs(*value) > kFarthestCoordinate)
-      fail(fmt::format("the coordinate {} lies beyond any building", in_quotes(words[axis + 1])),
-           "correct or remove this vertex");
     xyz[axis] = *value;
   }
-  if (model_.vertices.size() >= std::numeric_limits<std::uint32_t>::max() - 1)
-    fail("the model has more vertices than 32 bits count", "split it");
-  model_.vertices.push_back({xyz[0], xyz[1], xyz[2]});
+  builder_.vertex({xyz[0], xyz[1], xyz[2]}, lines_.number());
 }
 
 std::uint32_t ObjReader::corner(std::string_view word) const {
@@ -179,7 +143,7 @@ std::uint32_t ObjReader::corner(std::string_view word) const {
   if (!whole || others.find_first_not_of("0123456789-/") != std::string_view::npos)
     fail(fmt::format("{} is no corner of a face", in_quotes(word)), "write the number of a vertex, or v/vt/vn");
   if (index == 0) fail("the vertex number 0 means nothing: vertices count from 1", "correct or remove this face");
-  const auto count = static_cast<std::int64_t>(model_.vertices.size());
+  const auto count = static_cast<std::int64_t>(builder_.vertex_count());
   if (index < -count)
     fail(fmt::format("vertex {} does not exist: {} are given so far", index, count), "correct or remove this face");
   if (index > std::numeric_limits<std::uint32_t>::max() - 1)
@@ -193,86 +157,13 @@ void ObjReader::read_face(const std::vector<std::string_view>& words) {
          "complete or remove this face; was the file cut off?");
   face_corners_.clear();
   for (std::size_t i = 1; i < words.size(); ++i) face_corners_.push_back(corner(words[i]));
-  if (model_.corners.size() + face_corners_.size() >= std::numeric_limits<std::uint32_t>::max())
-    fail("the model has more corners than 32 bits count", "split it");
-  const auto line =
-      static_cast<std::uint32_t>(lines_.number() <= std::numeric_limits<std::uint32_t>::max() ? lines_.number() : 0);
-  model_.begin_polygon(materials_.id(material_), parts_.id(part_), line);
-  model_.add_loop(face_corners_);
-}
-
-/// Faces may stand before their vertices, so that the range is known at the end alone.
-void ObjReader::check_corners() const {
-  for (std::size_t polygon = 0; polygon < model_.polygon_count(); ++polygon) {
-    for (const std::uint32_t vertex : model_.loop(polygon)) {
-      if (vertex < model_.vertices.size()) continue;
-      throw InputError(
-          lines_.file(), model_.polygon_line[polygon],
-          fmt::format("vertex {} does not exist: the model has {}", std::uint64_t{vertex} + 1, model_.vertices.size()),
-          "correct or remove this face; was the file cut off?");
-    }
-  }
-}
-
-/// Stray vertices would widen the model's box, and with it the guess of its unit.
-void ObjReader::drop_unused_vertices() {
-  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> new_index(model_.vertices.size(), kUnused);
-  for (const std::uint32_t vertex : model_.corners) new_index[vertex] = 0;
-  std::uint32_t kept = 0;
-  for (std::size_t vertex = 0; vertex < new_index.size(); ++vertex) {
-    if (new_index[vertex] == kUnused) continue;
-    model_.vertices[kept] = model_.vertices[vertex];
-    new_index[vertex] = kept++;
-  }
-  model_.vertices.resize(kept);
-  for (std::uint32_t& vertex : model_.corners) vertex = new_index[vertex];
-}
-
-void ObjReader::attach_materials(ObjFile& result) {
-  MtlLibrary library = read_mtl_library(path_, mtllibs_);
-  result.files.insert(result.files.end(), library.files.begin(), library.files.end());
-  result.notices = std::move(library.notices);
-  std::unordered_map<std::string, std::size_t> index;
-  for (const std::string& name : model_.material_names) {
-    index.emplace(name, result.materials.size());
-    result.materials.push_back({.name = name, .file = {}, .diffuse = {}, .opacity = {}});
-  }
-  for (MtlMaterial& material : library.materials) {
-    if (material.name.empty()) material.name = kUnnamed;
-    const auto used = index.find(material.name);
-    if (used == index.end()) {
-      result.unused_materials.push_back(material.name);
-    } else {
-      result.materials[used->second] = std::move(material);
-    }
-  }
-}
-
-/// "The unit of length is m, as line 1 of the model says: 6 x 8 x 3 m."
-void ObjReader::choose_unit(const ModelFormat& format, ObjFile& result) const {
-  if (format.unit) {
-    result.unit = *format.unit;
-    return;
-  }
-  mesh::Box box;
-  for (const mesh::Point& p : model_.vertices) box.add(p);
-  const mesh::Vector size = box.size();
-  const double height = format.up == UpAxis::kZ ? size.z : size.y;
-  const double depth = format.up == UpAxis::kZ ? size.y : size.z;
-  result.unit = header_unit_.value_or(guess_unit(height));
-  const double scale = metres_per(result.unit);
-  const std::string why =
-      header_unit_ ? fmt::format("is {}, as line {} of the model says", unit_word(result.unit), header_unit_line_)
-                   : fmt::format("was taken as {} from the model's size", unit_word(result.unit));
-  result.notices.push_back(
-      fmt::format("The unit of length {}: {:.4g} x {:.4g} x {:.4g} m. "
-                  "Set model.units where that is wrong.",
-                  why, scale * size.x, scale * depth, scale * height));
+  builder_.polygon(face_corners_, builder_.material(material_), builder_.part(part_), lines_.number());
 }
 
 }  // namespace
 
-ObjFile read_obj(const std::filesystem::path& path, const ModelFormat& format) { return ObjReader(path).read(format); }
+ModelFile read_obj(const std::filesystem::path& path, const ModelFormat& format) {
+  return ObjReader(path).read(format);
+}
 
 }  // namespace clerestory::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/study_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/study_schema.h"
@@ -58,21 +60,25 @@ void record_unit(StudyValue& root, LengthUnit unit) {
   table.children.push_back(std::move(value));
 }
 
+void record_up(StudyValue& root, UpAxis up) { root.find("model")->find("up")->text = up == UpAxis::kZ ? "z" : "y"; }
+
 }  // namespace
 
 StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options) {
   StudyValue root = read_tree(study_or_model, options);
   check_study(root, options.kind);
-  const bool up_is_guessed = !is_study_file(study_or_model) && !names_up(root);
+  StudyPlace place{.folder = study_or_model.parent_path(), .files = {study_or_model}, .names_up = names_up(root)};
   fill_defaults(root);
 
   StudyInput input;
   lighting::Study& study = input.study;
   study.kind = options.kind;
   study.name = study_or_model.stem().string();
-  StudyPlace place{.folder = study_or_model.parent_path(), .files = {study_or_model}};
-  const ObjFile model = read_model_table(root, place, study);
-  if (up_is_guessed) study.assumptions.emplace_back("The model's z axis points up. Set model.up where that is wrong.");
+  const ModelFile model = read_model_table(root, place, study);
+  if (!place.names_up) record_up(root, model.up);
+  if (!place.names_up && !is_study_file(study_or_model))
+    study.assumptions.push_back(fmt::format("The model's {} axis points up. Set model.up where that is wrong.",
+                                            model.up == UpAxis::kZ ? 'z' : 'y'));
   read_materials_table(root, model, study);
   read_sky_table(root, study);
   read_grids_table(root, place, study);

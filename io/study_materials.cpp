@@ -51,21 +51,21 @@ struct Entry {
 
 class MaterialReader {
  public:
-  MaterialReader(const ObjFile& model, lighting::Study& study) : model_(model), study_(study) {}
+  MaterialReader(const ModelFile& model, lighting::Study& study) : model_(model), study_(study) {}
 
   void read(const StudyValue* table);
 
  private:
-  lighting::Material material(const MtlMaterial& mtl);
+  lighting::Material material(const SourceMaterial& mtl);
   const StudyValue* entry_of(const std::string& name);
-  void apply(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material);
+  void apply(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
   void apply_glazing(const StudyValue& entry, lighting::Material& material);
-  void apply_sides(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material);
+  void apply_sides(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
   void join_specular(const StudyValue& entry, lighting::Material& material);
   void darken(lighting::Material& material);
   void refuse_unmatched() const;
 
-  const ObjFile& model_;
+  const ModelFile& model_;
   lighting::Study& study_;
   std::vector<Entry> entries_;
   MaterialAssumptions assumed_;
@@ -77,7 +77,7 @@ class MaterialReader {
 void MaterialReader::read(const StudyValue* table) {
   if (table != nullptr)
     for (const StudyValue& entry : table->children) entries_.push_back({&entry});
-  for (const MtlMaterial& mtl : model_.materials) {
+  for (const SourceMaterial& mtl : model_.materials) {
     study_.materials.push_back(material(mtl));
     study_.clean.sheet_materials.push_back(study_.materials.back().glazing.has_value());
   }
@@ -94,7 +94,7 @@ void MaterialReader::read(const StudyValue* table) {
                                  list_names(darkened_) + ".");
 }
 
-lighting::Material MaterialReader::material(const MtlMaterial& mtl) {
+lighting::Material MaterialReader::material(const SourceMaterial& mtl) {
   lighting::Material material;
   material.name = mtl.name;
   if (const StudyValue* entry = entry_of(mtl.name)) {
@@ -120,7 +120,7 @@ const StudyValue* MaterialReader::entry_of(const std::string& name) {
   return exact != nullptr ? exact : pattern;
 }
 
-void MaterialReader::apply(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material) {
+void MaterialReader::apply(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material) {
   material.why = is_glob(entry.key) && entry.key != material.name
                      ? fmt::format("the study's [materials.\"{}\"]", entry.key)
                      : "the study";
@@ -151,7 +151,7 @@ void MaterialReader::apply_glazing(const StudyValue& entry, lighting::Material& 
   if (material.glazing->transmittance_normal > kClearestGlass) too_clear_.push_back(material.name);
 }
 
-void MaterialReader::apply_sides(const StudyValue& entry, const MtlMaterial& mtl, lighting::Material& material) {
+void MaterialReader::apply_sides(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material) {
   const StudyValue* reflectance = entry.find("reflectance");
   material.front.reflectance =
       reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.diffuse_reflectance(mtl);
@@ -212,7 +212,7 @@ void MaterialReader::refuse_unmatched() const {
 
 }  // namespace
 
-void read_materials_table(const StudyValue& root, const ObjFile& model, lighting::Study& study) {
+void read_materials_table(const StudyValue& root, const ModelFile& model, lighting::Study& study) {
   MaterialReader(model, study).read(find_table(root, "materials"));
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
-
 #include "io/study_tables.h"
 #include "io/words.h"
+#include "mesh/error.h"
 
 namespace clerestory::io {
 
@@ -12,28 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kLaterFormats{".stl", ".ply", ".off", ".gltf", ".glb",
-                                                        ".dae", ".dxf", ".ifc", ".rad"};
-
 mesh::CleanOptions::Repair repair_of(const std::string& word) {
   if (word == "report") return mesh::CleanOptions::Repair::kReport;
   return word == "off" ? mesh::CleanOptions::Repair::kOff : mesh::CleanOptions::Repair::kAuto;
-}
-
-void check_format(const StudyValue& file) {
-  const std::string extension = lower(fs::path(file.text).extension().string());
-  if (extension == ".obj") return;
-  const bool later = std::find(kLaterFormats.begin(), kLaterFormats.end(), extension) != kLaterFormats.end();
-  throw file.error(later ? fmt::format("models in {} are not supported by this version", extension.substr(1))
-                         : fmt::format("{} is no model", in_quotes(file.text)),
-                   "export the model as OBJ");
 }
 
 fs::path model_path(const StudyValue& root, const StudyValue& table, const fs::path& folder) {
   const StudyValue* file = table.find("file");
   if (file == nullptr)
     throw InputError(root.file, table.line, "the study names no model", "write [model] and file = \"room.obj\"");
-  check_format(*file);
   const fs::path path = folder / file->text;
   std::error_code error;
   if (fs::exists(path, error)) return path;
@@ -43,13 +29,13 @@ fs::path model_path(const StudyValue& root, const StudyValue& table, const fs::p
 
 }  // namespace
 
-ObjFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
+ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
   const StudyValue& table = *root.find("model");
   const fs::path path = model_path(root, table, place.folder);
   ModelFormat format;
   format.unit = length_unit(text_or(table, "units", ""));
-  format.up = text_or(table, "up", "z") == "y" ? UpAxis::kY : UpAxis::kZ;
-  ObjFile model = read_obj(path, format);
+  if (place.names_up) format.up = text_or(table, "up", "z") == "y" ? UpAxis::kY : UpAxis::kZ;
+  ModelFile model = read_model(path, format);
   study.model = std::move(model.model);
   study.north_deg = number_or(table, "north", 0.0);
   study.clean.repair = repair_of(text_or(table, "repair", "auto"));

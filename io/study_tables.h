@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/obj.h"
+#include "io/model_file.h"
 #include "io/study_tree.h"
 #include "lighting/study.h"
 
@@ -16,15 +16,16 @@ namespace clerestory::io {
 struct StudyPlace {
   std::filesystem::path folder;              ///< that paths are relative to
   std::vector<std::filesystem::path> files;  ///< that were read
+  bool names_up = false;                     ///< whether the study itself names the axis that points up
 };
 
 /// [model] and [site]: reads the model file into study.model.
 /// Throws InputError for a model that is not there, of an unsupported format, or at fault.
-ObjFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
 
 /// [materials]: one material a model material. The study counts first, then names like glass, then the MTL, then orientation.
 /// Throws InputError for entries that contradict themselves, and names that match no material.
-void read_materials_table(const StudyValue& root, const ObjFile& model, lighting::Study& study);
+void read_materials_table(const StudyValue& root, const ModelFile& model, lighting::Study& study);
 
 /// [sky]. For the daylight factor it becomes the CIE overcast sky, in the tree too.
 void read_sky_table(StudyValue& root, lighting::Study& study);

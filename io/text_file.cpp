@@ -46,6 +46,13 @@ void require_file(const std::filesystem::path& path, std::string_view kind) {
   throw InputError(file, 0, "this is no regular file", fmt::format("save the {} to a file first", kind));
 }
 
+std::string read_head(const std::filesystem::path& path, std::size_t most) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(path, "file"), &std::fclose);
+  std::string head(most, '\0');
+  head.resize(std::fread(head.data(), 1, most, stream.get()));
+  return head;
+}
+
 std::string read_text_file(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(path, kind), &std::fclose);
   std::string text;

@@ -15,6 +15,9 @@ namespace clerestory::io {
 /// should be, for the message: "model", "study".
 void require_file(const std::filesystem::path& path, std::string_view kind);
 
+/// The first bytes of a file, at most `most`: what they are tells a format. Throws as require_file() does.
+std::string read_head(const std::filesystem::path& path, std::size_t most);
+
 /// The whole of a text file, without a byte-order mark.
 /// Throws InputError where require_file does, for files over `limit` bytes and for text in UTF-16.
 std::string read_text_file(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit);

@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-MtlMaterial mtl(const std::string& name) { return {.name = name, .file = {}, .diffuse = {}, .opacity = {}}; }
+SourceMaterial mtl(const std::string& name) { return {.name = name, .file = {}, .diffuse = {}, .opacity = {}}; }
 
 TEST(MaterialRules, NamesOfGlassAreKnownInSeveralLanguages) {
   for (const char* name :
@@ -28,7 +28,7 @@ TEST(MaterialRules, NamesThatOnlyContainGlassAreNot) {
 
 TEST(MaterialRules, TheNameCountsBeforeTheMtl) {
   MaterialAssumptions assumed;
-  MtlMaterial black_glass = mtl("glazing");
+  SourceMaterial black_glass = mtl("glazing");
   black_glass.diffuse = {0.0, 0.0, 0.0};
   lighting::Material material;
   assumed.decide(black_glass, material);
@@ -39,7 +39,7 @@ TEST(MaterialRules, TheNameCountsBeforeTheMtl) {
 
 TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
   MaterialAssumptions assumed;
-  MtlMaterial red = mtl("brick");
+  SourceMaterial red = mtl("brick");
   red.diffuse = {0.6, 0.3, 0.2};
   lighting::Material material;
   assumed.decide(red, material);
@@ -52,7 +52,7 @@ TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
 
 TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
   MaterialAssumptions assumed;
-  MtlMaterial white = mtl("white");
+  SourceMaterial white = mtl("white");
   white.diffuse = {1.0, 1.0, 1.0};
   lighting::Material material;
   assumed.decide(white, material);
@@ -62,7 +62,7 @@ TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
 
 TEST(MaterialRules, TransparentMaterialsBecomeGlazing) {
   MaterialAssumptions assumed;
-  MtlMaterial clear = mtl("Material.003");
+  SourceMaterial clear = mtl("Material.003");
   clear.diffuse = {0.8, 0.8, 0.8};
   clear.opacity = 0.2;
   lighting::Material material;
@@ -80,7 +80,7 @@ TEST(MaterialRules, NothingKnownLeavesItToTheOrientation) {
   assumed.decide(mtl("stuff"), material);
   EXPECT_FALSE(material.front.reflectance.has_value());
   EXPECT_FALSE(material.glazing.has_value());
-  MtlMaterial textured = mtl("carpet");
+  SourceMaterial textured = mtl("carpet");
   textured.diffuse = {0.0, 0.0, 0.0};
   textured.textured = true;
   assumed.decide(textured, material);

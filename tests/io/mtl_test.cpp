@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<MtlMaterial> read(const std::string& text) {
+std::vector<SourceMaterial> read(const std::string& text) {
   const test::ScratchFolder scratch;
   test::write_text(scratch.path() / "a.mtl", text);
   return read_mtl(scratch.path() / "a.mtl");

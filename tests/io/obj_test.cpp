@@ -23,7 +23,7 @@ constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 2\n";
 
 class Obj : public testing::Test {
  protected:
-  ObjFile read(const std::string& text, const ModelFormat& format = {}) {
+  ModelFile read(const std::string& text, const ModelFormat& format = {}) {
     write_text(path(), text);
     return read_obj(path(), format);
   }

@@ -134,14 +134,12 @@ TEST(StudyCheck, OverridesAreCheckedLikeTheFile) {
   EXPECT_THAT(setting_refusal("sky.type=none\nsun=true"), HasSubstr("--set sky.type=none"));
 }
 
-TEST(StudyCheck, ModelsThatAreNotThereOrNotSupportedAreRefusedAtTheirKey) {
+TEST(StudyCheck, ModelsThatAreNotThereAreRefusedAtTheirKey) {
   const StudyFolder folder;
   const auto refused = [&](const std::string& text) { return refusal_of([&] { (void)folder.read(text); }); };
   EXPECT_THAT(refused(""), HasSubstr("study.toml: the study names no model"));
   EXPECT_THAT(refused("[model]\nunits = 'm'\n"), HasSubstr("study.toml:1: the study names no model"));
   EXPECT_THAT(refused("[model]\nfile = 'rom.obj'\n"), HasSubstr("study.toml:2: there is no model"));
-  EXPECT_THAT(refused("[model]\nfile = 'room.ifc'\n"),
-              HasSubstr("study.toml:2: models in ifc are not supported by this version"));
   EXPECT_THAT(refusal_of([&] { (void)read_study(folder.path() / "none.toml"); }),
               HasSubstr("none.toml: there is no such study"));
   EXPECT_THAT(refusal_of([&] { (void)read_study(folder.path()); }), HasSubstr("this is a folder"));

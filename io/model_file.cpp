@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/model_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "io/obj.h"
+#include "io/text_file.h"
+#include "io/words.h"
+#include "mesh/error.h"
+
+namespace clerestory::io {
+
+namespace {
+
+/// A format: how a file of it is recognised, and who reads it.
+struct Reader {
+  std::string_view name;
+  std::string_view extensions;  ///< lower case, each between blanks
+  /// Whether the first bytes of a file can only be of this format; none where content does not tell.
+  bool (*recognises)(std::string_view head);
+  ModelFile (*read)(const std::filesystem::path& path, const ModelFormat& format);
+};
+
+constexpr std::array kReaders{
+    Reader{"OBJ", " .obj ", nullptr, &read_obj},
+};
+
+const Reader* reader_by_extension(const std::filesystem::path& path) {
+  const std::string word = fmt::format(" {} ", lower(path.extension().string()));
+  for (const Reader& reader : kReaders)
+    if (reader.extensions.find(word) != std::string_view::npos) return &reader;
+  return nullptr;
+}
+
+const Reader* reader_by_content(std::string_view head) {
+  for (const Reader& reader : kReaders)
+    if (reader.recognises != nullptr && reader.recognises(head)) return &reader;
+  return nullptr;
+}
+
+}  // namespace
+
+ModelFile read_model(const std::filesystem::path& path, const ModelFormat& format) {
+  require_file(path, "model");
+  const Reader* reader = reader_by_content(read_head(path, 4096));
+  if (reader == nullptr) reader = reader_by_extension(path);
+  if (reader == nullptr)
+    throw InputError(path.string(), 0, fmt::format("{} is no model", in_quotes(path.filename().string())),
+                     fmt::format("export it as one of {}", fmt::join(model_format_words(), ", ")));
+  ModelFile file = reader->read(path, format);
+  file.format = reader->name;
+  return file;
+}
+
+std::vector<std::string> model_format_words() {
+  std::vector<std::string> words;
+  for (const Reader& reader : kReaders) words.push_back(fmt::format("{} ({})", reader.name, trim(reader.extensions)));
+  return words;
+}
+
+}  // namespace clerestory::io
