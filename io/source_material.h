@@ -15,6 +15,8 @@ struct SourceMaterial {
   std::uint64_t line = 0;  ///< of its definition
   /// What tells its properties, in words for the user: "Kd of the MTL", "the Radiance plastic".
   std::string told_by = "Kd of the MTL";
+  /// Told in photometric terms, as Radiance does, and not as a colour to look at: what is told counts before the name.
+  bool photometric = false;
   /// Diffuse reflectance, linear, per band red, green, blue; nothing where it is not given or given as a spectral curve.
   std::optional<std::array<double, 3>> diffuse = {};
   /// Specular reflectance at normal incidence, beside the diffuse one.
