@@ -5,7 +5,11 @@
 
 #include <array>
 
+#include "io/dxf.h"
 #include "io/obj.h"
+#include "io/off.h"
+#include "io/ply.h"
+#include "io/stl.h"
 #include "io/text_file.h"
 #include "io/words.h"
 #include "mesh/error.h"
@@ -24,7 +28,9 @@ struct Reader {
 };
 
 constexpr std::array kReaders{
-    Reader{"OBJ", " .obj ", nullptr, &read_obj},
+    Reader{"OBJ", " .obj ", nullptr, &read_obj}, Reader{"STL", " .stl ", &is_text_stl, &read_stl},
+    Reader{"PLY", " .ply ", &is_ply, &read_ply}, Reader{"OFF", " .off ", &is_off, &read_off},
+    Reader{"DXF", " .dxf ", &is_dxf, &read_dxf},
 };
 
 const Reader* reader_by_extension(const std::filesystem::path& path) {

@@ -48,6 +48,20 @@ std::vector<std::string> names_of(std::string_view text) {
   return names;
 }
 
+/// Where no file of a line is there: a model may have been renamed together with its MTL.
+fs::path file_in_place_of(const fs::path& model, const MtlReference& reference, const std::vector<std::string>& missing,
+                          std::vector<std::string>& notices) {
+  const fs::path namesake = fs::path(model).replace_extension(".mtl");
+  if (missing.empty() || !is_file(namesake))
+    throw InputError(
+        model.string(), reference.line,
+        missing.empty() ? "mtllib names no file" : fmt::format("there is no MTL file {}", list_names(missing)),
+        "put it beside the model, or delete this line to go by the study and by orientation alone");
+  notices.push_back(fmt::format("{}:{}: there is no MTL file {}; {} was read instead.", model.string(), reference.line,
+                                list_names(missing), in_quotes(namesake.filename().string())));
+  return namesake;
+}
+
 std::vector<fs::path> files_of(const fs::path& model, const MtlReference& reference,
                                std::vector<std::string>& notices) {
   const fs::path folder = model.parent_path();
@@ -58,11 +72,7 @@ std::vector<fs::path> files_of(const fs::path& model, const MtlReference& refere
     const auto file = find(folder, name);
     file ? found.push_back(*file) : missing.push_back(in_quotes(name));
   }
-  if (found.empty())
-    throw InputError(
-        model.string(), reference.line,
-        missing.empty() ? "mtllib names no file" : fmt::format("there is no MTL file {}", list_names(missing)),
-        "put it beside the model, or delete this line to go by the study and by orientation alone");
+  if (found.empty()) return {file_in_place_of(model, reference, missing, notices)};
   if (!missing.empty())
     notices.push_back(fmt::format("{}:{}: there is no MTL file {}; the others of that line were read.", model.string(),
                                   reference.line, list_names(missing)));

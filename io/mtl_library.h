@@ -25,7 +25,8 @@ struct MtlLibrary {
 };
 
 /// Reads what the mtllib lines of a model name, relative to the model's folder. A line may name several files, and files with
-/// spaces, escaped or not; a path that is not there (as from another machine) is looked for beside the model by its last part.
+/// spaces, escaped or not; a path that is not there (as from another machine) is looked for beside the model by its last part; where nothing
+/// is found, the MTL with the name of the model stands in, with a notice.
 /// Throws InputError where none of the files of a line is there, and where read_mtl() does.
 MtlLibrary read_mtl_library(const std::filesystem::path& model, const std::vector<MtlReference>& references);
 

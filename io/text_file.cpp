@@ -16,22 +16,26 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr std::size_t kLongestLine = std::size_t{64} << 20;  // a face of some 8 million corners; more is no model
 
-std::FILE* open(const std::filesystem::path& path, std::string_view kind) {
+bool is_big_endian(std::string_view utf16) { return utf16.starts_with("\xfe\xff"); }
+
+std::string from_utf16(std::string_view bytes) {
+  Utf16Decoder decoder(is_big_endian(bytes));
+  std::string text;
+  decoder.append(bytes.substr(2), text);
+  decoder.finish(text);
+  return text;
+}
+
+}  // namespace
+
+FileStream open_file(const std::filesystem::path& path, std::string_view kind) {
   require_file(path, kind);
-  std::FILE* stream = std::fopen(path.c_str(), "rb");
+  FileStream stream(std::fopen(path.c_str(), "rb"));
   if (stream == nullptr)
     throw InputError(path.string(), 0, fmt::format("this {} cannot be read: {}", kind, std::strerror(errno)),
                      "give yourself the right to read it");
   return stream;
 }
-
-bool is_utf16(std::string_view text) { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
-
-[[noreturn]] void refuse_utf16(const std::string& file) {
-  throw InputError(file, 1, "the text is in UTF-16", "save it as UTF-8");
-}
-
-}  // namespace
 
 void require_file(const std::filesystem::path& path, std::string_view kind) {
   std::error_code error;
@@ -47,14 +51,14 @@ void require_file(const std::filesystem::path& path, std::string_view kind) {
 }
 
 std::string read_head(const std::filesystem::path& path, std::size_t most) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(path, "file"), &std::fclose);
+  const FileStream stream = open_file(path, "file");
   std::string head(most, '\0');
   head.resize(std::fread(head.data(), 1, most, stream.get()));
   return head;
 }
 
 std::string read_text_file(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(path, kind), &std::fclose);
+  const FileStream stream = open_file(path, kind);
   std::string text;
   std::vector<char> buffer(std::min<std::uint64_t>(limit + 1, kBufferBytes));
   while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
@@ -64,29 +68,43 @@ std::string read_text_file(const std::filesystem::path& path, std::string_view k
                        fmt::format("is it a {}?", kind));
   }
   if (std::ferror(stream.get()) != 0) throw MachineError(path.string() + ": reading failed: " + std::strerror(errno));
-  if (is_utf16(text)) refuse_utf16(path.string());
+  if (is_utf16(text)) return from_utf16(text);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   return text;
 }
 
 LineReader::LineReader(const std::filesystem::path& path, std::string_view kind)
-    : file_(path.string()), stream_(open(path, kind)), buffer_(kBufferBytes) {
-  skip_byte_order_mark();
+    : file_(path.string()), stream_(open_file(path, kind)), raw_(kBufferBytes) {
+  obey_byte_order_mark();
 }
 
 bool LineReader::fill() {
-  if (at_ < filled_) return true;
+  if (at_ < buffer_.size()) return true;
   at_ = 0;
-  filled_ = std::fread(buffer_.data(), 1, buffer_.size(), stream_.get());
+  buffer_ = {raw_.data(), std::fread(raw_.data(), 1, raw_.size(), stream_.get())};
   if (std::ferror(stream_.get()) != 0) throw MachineError(file_ + ": reading failed: " + std::strerror(errno));
-  return filled_ > 0;
+  return utf16_ ? fill_from_utf16() : !buffer_.empty();
 }
 
-void LineReader::skip_byte_order_mark() {
+bool LineReader::fill_from_utf16() {
+  decoded_.clear();
+  if (buffer_.empty()) {
+    utf16_->finish(decoded_);
+  } else {
+    utf16_->append(buffer_, decoded_);
+  }
+  const bool more = !buffer_.empty();
+  buffer_ = decoded_;
+  return !buffer_.empty() || (more && fill());  // a piece may be but half a character
+}
+
+void LineReader::obey_byte_order_mark() {
   fill();
-  const std::string_view start(buffer_.data(), filled_);
-  if (is_utf16(start)) refuse_utf16(file_);
-  if (start.starts_with("\xef\xbb\xbf")) at_ = 3;
+  if (buffer_.starts_with("\xef\xbb\xbf")) at_ = 3;
+  if (!is_utf16(buffer_)) return;
+  utf16_.emplace(is_big_endian(buffer_));
+  buffer_.remove_prefix(2);
+  fill_from_utf16();
 }
 
 void LineReader::append(const char* begin, const char* end) {
@@ -110,7 +128,7 @@ bool LineReader::read_line() {
     after_return_ = false;
     any = true;
     const char* begin = buffer_.data() + at_;
-    const char* end = buffer_.data() + filled_;
+    const char* end = buffer_.data() + buffer_.size();
     const char* stop = std::find_if(begin, end, [](char c) { return c == '\n' || c == '\r'; });
     append(begin, stop);
     at_ += static_cast<std::size_t>(stop - begin);
@@ -127,15 +145,19 @@ bool LineReader::next() {
   line_.clear();
   if (!read_line()) return false;
   number_ = lines_read_;
+  make_utf8(line_);
   return true;
 }
 
 bool LineReader::next_continued() {
-  if (!next()) return false;
+  line_.clear();
+  if (!read_line()) return false;
+  number_ = lines_read_;
   while (line_.ends_with('\\')) {
     line_.back() = ' ';
     if (!read_line()) break;
   }
+  make_utf8(line_);
   return true;
 }
 
