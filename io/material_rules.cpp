@@ -12,9 +12,9 @@ namespace clerestory::io {
 
 namespace {
 
-constexpr double kGlassTransmittance = 0.70;  // of a common double glazing, at normal incidence
-constexpr double kMostDiffuse = 0.95;         // fresh snow; programs export Kd 1 1 1 for "white"
-constexpr double kClearBelow = 0.5;           // opacity
+constexpr double kGlassTransmittance = 0.70;   // of a common double glazing, at normal incidence
+constexpr double kLeastTransmittance = 0.001;  // of glazing; less is opaque
+constexpr double kClearBelow = 0.5;            // opacity
 
 constexpr std::array<std::string_view, 27> kGlassWords{
     "glass",   "glasses",    "glazing",    "glazed",   "glas",      "pane",      "panes",
@@ -79,68 +79,107 @@ std::string reflectance_words(const lighting::Spectrum& reflectance) {
   return fmt::format("{:.2f}, {:.2f}, {:.2f} (red, green, blue)", reflectance[0], reflectance[1], reflectance[2]);
 }
 
-std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const SourceMaterial& mtl) {
-  if (!mtl.diffuse) return std::nullopt;
-  if (mtl.textured) {
-    textured_.push_back(mtl.name);
+std::optional<lighting::Emission> told_emission(const SourceMaterial& source) {
+  if (!(source.luminance_cd_m2.value_or(0.0) > 0.0)) return std::nullopt;
+  return lighting::Emission{.flux_lm = {}, .luminance_cd_m2 = source.luminance_cd_m2};
+}
+
+std::string side_words(const lighting::SideMaterial& side) {
+  std::string words =
+      side.reflectance ? "reflectance " + reflectance_words(*side.reflectance) : "reflectance by orientation";
+  if (!side.emission) return words;
+  return words + (side.emission->flux_lm ? fmt::format(", shines with {:g} lm", *side.emission->flux_lm)
+                                         : fmt::format(", shines with {:g} cd/m²", *side.emission->luminance_cd_m2));
+}
+
+std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const SourceMaterial& source) {
+  if (source.textured) {
+    textured_.push_back(source.name);
     return std::nullopt;
   }
-  std::array<double, 3> colour = *mtl.diffuse;
-  if (*std::max_element(colour.begin(), colour.end()) > kMostDiffuse) clamped_.push_back(mtl.name);
-  for (double& band : colour) band = std::min(band, kMostDiffuse);
-  by_colour_.push_back(mtl.name);
+  if (!source.diffuse) return std::nullopt;
+  std::array<double, 3> colour = *source.diffuse;
+  const double specular = source.specular.value_or(0.0);
+  if (specular != 0.0) specular_.push_back(source.name);
+  for (double& band : colour) band += specular;
+  // Programs export a colour of 1 1 1 for "white".
+  const auto [least, most] = std::minmax_element(colour.begin(), colour.end());
+  if (*least < 0.0 || *most > kMostReflectance) implausible_.push_back(source.name);
+  for (double& band : colour) band = std::clamp(band, 0.0, kMostReflectance);
+  told_by_[source.photometric ? "What the file says in photometric terms" : source.told_by].push_back(source.name);
   if (is_grey(colour)) return lighting::Spectrum{static_cast<float>(colour[0])};
   return lighting::Spectrum{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                             static_cast<float>(colour[2])};
 }
 
-void MaterialAssumptions::decide(const SourceMaterial& mtl, lighting::Material& material) {
-  if (mtl.shines) shining_.push_back(mtl.name);
-  const bool like_glass = is_named_like_glass(mtl.name);
-  if (like_glass || mtl.opacity.value_or(1.0) < kClearBelow) {
-    (like_glass ? named_like_glass_ : transparent_).push_back(mtl.name);
-    material.glazing = lighting::Glazing{.transmittance_normal = kGlassTransmittance};
-    material.became = fmt::format("glazing {:.2f}", kGlassTransmittance);
-    material.why = like_glass ? "named like glass" : "transparent in the MTL";
-    return;
+void MaterialAssumptions::decide(const SourceMaterial& source, lighting::Material& material) {
+  if (source.shines) shining_.push_back(source.name);
+  if (source.translucent.value_or(0.0) > 0.0) translucent_.push_back(source.name);
+  if (!decide_glazing(source, material)) decide_sides(source, material);
+}
+
+bool MaterialAssumptions::decide_glazing(const SourceMaterial& source, lighting::Material& material) {
+  double transmittance = kGlassTransmittance;
+  if (source.transmittance_normal.value_or(0.0) >= kLeastTransmittance) {
+    transmittance = *source.transmittance_normal;
+    if (transmittance > 1.0) implausible_.push_back(source.name);
+    transmittance = std::min(transmittance, 1.0);
+    told_glazing_.push_back(source.name);
+    material.why = source.told_by;
+  } else if (source.photometric) {
+    return false;
+  } else if (is_named_like_glass(source.name)) {
+    named_like_glass_.push_back(source.name);
+    material.why = "named like glass";
+  } else if (source.opacity.value_or(1.0) < kClearBelow) {
+    transparent_.push_back(source.name);
+    material.why = "transparent in the MTL";
+  } else {
+    return false;
   }
-  material.front.reflectance = diffuse_reflectance(mtl);
+  material.glazing = lighting::Glazing{.transmittance_normal = transmittance};
+  material.became = fmt::format("glazing {:.2f}", transmittance);
+  return true;
+}
+
+void MaterialAssumptions::decide_sides(const SourceMaterial& source, lighting::Material& material) {
+  material.front.reflectance = diffuse_reflectance(source);
   material.back.reflectance = material.front.reflectance;
-  if (material.front.reflectance) {
-    material.became = "reflectance " + reflectance_words(*material.front.reflectance);
-    material.why = "Kd of the MTL";
-    return;
+  material.front.emission = told_emission(source);
+  material.became = side_words(material.front);
+  if (material.front.reflectance || material.front.emission) {
+    material.why = source.told_by;
+  } else if (source.textured) {
+    material.why = "a texture, which is not read";
+  } else {
+    by_orientation_.push_back(source.name);
+    material.why = "nothing says what it is";
   }
-  if (!mtl.textured) by_orientation_.push_back(mtl.name);
-  material.became = "reflectance by orientation";
-  material.why = mtl.textured ? "a texture, which is not read" : "nothing says what it is";
 }
 
 std::vector<std::string> MaterialAssumptions::sentences() const {
   std::vector<std::string> text;
-  if (!named_like_glass_.empty())
-    text.push_back(fmt::format("Named like glass, and so glazing with a transmittance of {:.2f}: material{}.",
-                               kGlassTransmittance, told(named_like_glass_)));
-  if (!transparent_.empty())
-    text.push_back(fmt::format("Transparent in the MTL, and so glazing with a transmittance of {:.2f}: material{}.",
-                               kGlassTransmittance, told(transparent_)));
-  if (!by_colour_.empty())
-    text.push_back(fmt::format("Kd of the MTL was taken as diffuse reflectance: material{}.", told(by_colour_)));
-  if (!clamped_.empty())
-    text.push_back(fmt::format(
-        "Kd of the MTL is over {0:.2f}, no real surface reflects so much, and {0:.2f} was taken: material{1}.",
-        kMostDiffuse, told(clamped_)));
-  constexpr const char* kByOrientation =
+  const auto add = [&](const std::string& what, const Names& names) {
+    if (!names.empty()) text.push_back(fmt::format("{}: material{}.", what, told(names)));
+  };
+  const std::string by_orientation =
       "their sides reflect by orientation (up 0.2, down 0.7, vertical 0.5, outdoors 0.2)";
-  if (!textured_.empty())
-    text.push_back(fmt::format("Textures are not read; {}: material{}.", kByOrientation, told(textured_)));
-  if (!by_orientation_.empty())
-    text.push_back(
-        fmt::format("Nothing says what they are made of, and {}: material{}.", kByOrientation, told(by_orientation_)));
-  if (!shining_.empty())
-    text.push_back(fmt::format(
-        "Ke of the MTL has no photometric meaning, and they stay dark; give emission in the study: material{}.",
-        told(shining_)));
+  add(fmt::format("Named like glass, and so glazing with a transmittance of {:.2f}", kGlassTransmittance),
+      named_like_glass_);
+  add(fmt::format("Transparent in the MTL, and so glazing with a transmittance of {:.2f}", kGlassTransmittance),
+      transparent_);
+  add("Glazing with the transmittance that the file tells", told_glazing_);
+  for (const auto& [source, names] : told_by_) add(source + " was taken as diffuse reflectance", names);
+  add("The specular reflectance joins the diffuse one", specular_);
+  add(fmt::format(
+          "The file gives reflectances outside 0 … {0:.2f} or transmittances over 1, which no real surface has; "
+          "the nearest possible was taken",
+          kMostReflectance),
+      implausible_);
+  add("Diffuse transmission is not computed in this version, and they are opaque", translucent_);
+  add("Textures are not read; " + by_orientation, textured_);
+  add("Nothing says what they are made of, and " + by_orientation, by_orientation_);
+  add("How they shine has no photometric meaning, and they stay dark; give emission in the study", shining_);
   return text;
 }
 

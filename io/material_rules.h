@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "io/mtl.h"
+#include "io/source_material.h"
 #include "lighting/material.h"
 
 namespace clerestory::io {
@@ -15,29 +17,51 @@ namespace clerestory::io {
 /// blanks, punctuation, digits and at a capital behind a small letter.
 bool is_named_like_glass(std::string_view name);
 
+/// The most that a surface is believed to reflect: fresh snow.
+inline constexpr double kMostReflectance = 0.95;
+
 /// What was assumed of materials that the study does not name, to be told once for all.
 class MaterialAssumptions {
  public:
-  /// Decides what the study leaves open of a material: name like glass, MTL, orientation, in that order.
-  void decide(const SourceMaterial& mtl, lighting::Material& material);
+  /// Decides what the study leaves open of a material, in this order: a transmittance that the file tells, what it tells in photometric
+  /// terms, a name like glass, a transparent colour, a colour; else the orientation of its sides.
+  void decide(const SourceMaterial& source, lighting::Material& material);
 
-  /// The MTL's diffuse colour as reflectance where the study leaves that open. Nothing where there is none.
-  std::optional<lighting::Spectrum> diffuse_reflectance(const SourceMaterial& mtl);
+  /// What the file tells of the reflectance, where the study leaves that open: the diffuse and the specular one together, since this
+  /// version has no mirrors. Nothing where it tells none.
+  std::optional<lighting::Spectrum> diffuse_reflectance(const SourceMaterial& source);
+
+  /// Notes that the specular reflectance of a material joined the diffuse one.
+  void join_specular(const std::string& name) { specular_.push_back(name); }
 
   /// One sentence each.
   [[nodiscard]] std::vector<std::string> sentences() const;
 
  private:
-  std::vector<std::string> named_like_glass_;
-  std::vector<std::string> transparent_;
-  std::vector<std::string> by_colour_;
-  std::vector<std::string> clamped_;
-  std::vector<std::string> textured_;
-  std::vector<std::string> by_orientation_;
-  std::vector<std::string> shining_;
+  using Names = std::vector<std::string>;
+
+  bool decide_glazing(const SourceMaterial& source, lighting::Material& material);
+  void decide_sides(const SourceMaterial& source, lighting::Material& material);
+
+  std::map<std::string, Names> told_by_;  ///< reflectances, by what tells them
+  Names named_like_glass_;
+  Names transparent_;
+  Names told_glazing_;
+  Names implausible_;
+  Names textured_;
+  Names by_orientation_;
+  Names shining_;
+  Names specular_;
+  Names translucent_;
 };
+
+/// The luminance that a file tells, as emission of the front; nothing where it tells none.
+std::optional<lighting::Emission> told_emission(const SourceMaterial& source);
 
 /// "0.50", or "0.50, 0.40, 0.30 (red, green, blue)".
 std::string reflectance_words(const lighting::Spectrum& reflectance);
+
+/// "reflectance 0.50, shines with 4000 lm".
+std::string side_words(const lighting::SideMaterial& side);
 
 }  // namespace clerestory::io

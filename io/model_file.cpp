@@ -9,6 +9,8 @@
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
+#include "io/radiance.h"
+#include "io/radiance_scene.h"
 #include "io/stl.h"
 #include "io/text_file.h"
 #include "io/words.h"
@@ -31,6 +33,7 @@ constexpr std::array kReaders{
     Reader{"OBJ", " .obj ", nullptr, &read_obj}, Reader{"STL", " .stl ", &is_text_stl, &read_stl},
     Reader{"PLY", " .ply ", &is_ply, &read_ply}, Reader{"OFF", " .off ", &is_off, &read_off},
     Reader{"DXF", " .dxf ", &is_dxf, &read_dxf},
+    Reader{"Radiance", " .rad ", &looks_like_radiance, &read_radiance},
 };
 
 const Reader* reader_by_extension(const std::filesystem::path& path) {

@@ -11,8 +11,8 @@ namespace clerestory::io {
 
 namespace {
 
-constexpr double kMostReflectance = 0.99;  // as the schema bounds each part of it
-constexpr double kClearestGlass = 0.918;   // transmittance of a pane of n = 1.52 without any absorption
+constexpr double kMostInAll = 0.99;       // as the schema bounds each part of a reflectance
+constexpr double kClearestGlass = 0.918;  // transmittance of a pane of n = 1.52 without any absorption
 
 lighting::Spectrum spectrum_of(const StudyValue& value) {
   if (value.is_number()) return {static_cast<float>(value.number)};
@@ -37,12 +37,6 @@ std::optional<lighting::Emission> emission_of(const StudyValue& entry) {
   return emission;
 }
 
-std::string emission_words(const std::optional<lighting::Emission>& emission) {
-  if (!emission) return {};
-  return emission->flux_lm ? fmt::format(", shines with {:g} lm", *emission->flux_lm)
-                           : fmt::format(", shines with {:g} cd/m²", *emission->luminance_cd_m2);
-}
-
 /// An entry of [materials], and whether anything of the model is named by it.
 struct Entry {
   const StudyValue* value = nullptr;
@@ -61,6 +55,7 @@ class MaterialReader {
   void apply(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
   void apply_glazing(const StudyValue& entry, lighting::Material& material);
   void apply_sides(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
+  void note_if_too_clear(const lighting::Material& material);
   void join_specular(const StudyValue& entry, lighting::Material& material);
   void darken(lighting::Material& material);
   void refuse_unmatched() const;
@@ -69,7 +64,6 @@ class MaterialReader {
   lighting::Study& study_;
   std::vector<Entry> entries_;
   MaterialAssumptions assumed_;
-  std::vector<std::string> specular_;
   std::vector<std::string> darkened_;
   std::vector<std::string> too_clear_;
 };
@@ -83,8 +77,6 @@ void MaterialReader::read(const StudyValue* table) {
   }
   refuse_unmatched();
   for (std::string& sentence : assumed_.sentences()) study_.assumptions.push_back(std::move(sentence));
-  if (!specular_.empty())
-    study_.assumptions.push_back("The specular reflectance joins the diffuse one: " + list_names(specular_) + ".");
   if (!too_clear_.empty())
     study_.assumptions.push_back(
         fmt::format("A pane of glass transmits at most {}; the whole curve over the angle was scaled to more: {}.",
@@ -101,7 +93,9 @@ lighting::Material MaterialReader::material(const SourceMaterial& mtl) {
     apply(*entry, mtl, material);
   } else {
     assumed_.decide(mtl, material);
+    if (material.glazing) note_if_too_clear(material);
   }
+  if (study_.kind == lighting::Study::Kind::kDaylight) darken(material);
   return material;
 }
 
@@ -148,6 +142,10 @@ void MaterialReader::apply_glazing(const StudyValue& entry, lighting::Material& 
   material.glazing = lighting::Glazing{.transmittance_normal = number_or(table, "transmittance", 0.70),
                                        .panes = static_cast<int>(number_or(table, "panes", 1.0))};
   material.became = fmt::format("glazing {:.2f}", material.glazing->transmittance_normal);
+  note_if_too_clear(material);
+}
+
+void MaterialReader::note_if_too_clear(const lighting::Material& material) {
   if (material.glazing->transmittance_normal > kClearestGlass) too_clear_.push_back(material.name);
 }
 
@@ -163,13 +161,10 @@ void MaterialReader::apply_sides(const StudyValue& entry, const SourceMaterial& 
     if (const StudyValue* other = back->find("reflectance")) material.back.reflectance = spectrum_of(*other);
     material.back.emission = emission_of(*back);
   }
-  if (study_.kind == lighting::Study::Kind::kDaylight) darken(material);
-  const auto words = [](const lighting::SideMaterial& side) {
-    return (side.reflectance ? "reflectance " + reflectance_words(*side.reflectance) : "reflectance by orientation") +
-           emission_words(side.emission);
-  };
-  material.became = words(material.front);
-  if (back != nullptr && words(material.back) != material.became) material.became += "; back: " + words(material.back);
+  if (!material.front.emission) material.front.emission = told_emission(mtl);
+  material.became = side_words(material.front);
+  if (back != nullptr && side_words(material.back) != material.became)
+    material.became += "; back: " + side_words(material.back);
 }
 
 void MaterialReader::join_specular(const StudyValue& entry, lighting::Material& material) {
@@ -179,12 +174,11 @@ void MaterialReader::join_specular(const StudyValue& entry, lighting::Material& 
                       "give reflectance beside it");
   for (float& band : *material.front.reflectance) {
     band += static_cast<float>(number_or(table, "reflectance", 0.0));
-    if (static_cast<double>(band) > kMostReflectance + 1e-6)
-      throw table.error(
-          fmt::format("material {} reflects {:.2f} in all", in_quotes(entry.key), band),
-          fmt::format("give reflectance and specular.reflectance with a sum of at most {}", kMostReflectance));
+    if (static_cast<double>(band) > kMostInAll + 1e-6)
+      throw table.error(fmt::format("material {} reflects {:.2f} in all", in_quotes(entry.key), band),
+                        fmt::format("give reflectance and specular.reflectance with a sum of at most {}", kMostInAll));
   }
-  specular_.push_back(material.name);
+  assumed_.join_specular(material.name);
 }
 
 void MaterialReader::darken(lighting::Material& material) {
@@ -192,6 +186,8 @@ void MaterialReader::darken(lighting::Material& material) {
   material.front.emission.reset();
   material.back.emission.reset();
   darkened_.push_back(material.name);
+  material.became = side_words(material.front);
+  if (side_words(material.back) != material.became) material.became += "; back: " + side_words(material.back);
 }
 
 void MaterialReader::refuse_unmatched() const {

@@ -57,7 +57,79 @@ TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
   lighting::Material material;
   assumed.decide(white, material);
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.95F));
-  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("over 0.95")));
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("outside 0 … 0.95")));
+}
+
+TEST(MaterialRules, WhatIsToldInPhotometricTermsCountsBeforeTheName) {
+  MaterialAssumptions assumed;
+  SourceMaterial frame = mtl("window");
+  frame.diffuse = {0.4, 0.4, 0.4};
+  frame.specular = 0.1;
+  frame.photometric = true;
+  frame.told_by = "the Radiance plastic";
+  lighting::Material material;
+  assumed.decide(frame, material);
+  EXPECT_FALSE(material.glazing.has_value());
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.5F));
+  EXPECT_EQ(material.why, "the Radiance plastic");
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("joins the diffuse one: material window")));
+}
+
+TEST(MaterialRules, ATransmittanceThatIsToldBecomesGlazing) {
+  MaterialAssumptions assumed;
+  SourceMaterial pane = mtl("pane 3");
+  pane.transmittance_normal = 0.6;
+  pane.told_by = "the Radiance glass";
+  lighting::Material material;
+  assumed.decide(pane, material);
+  ASSERT_TRUE(material.glazing.has_value());
+  EXPECT_EQ(material.glazing->transmittance_normal, 0.6);
+  EXPECT_EQ(material.became, "glazing 0.60");
+  EXPECT_EQ(material.why, "the Radiance glass");
+  pane.transmittance_normal = 1.3;
+  assumed.decide(pane, material);
+  EXPECT_EQ(material.glazing->transmittance_normal, 1.0);
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("which no real surface has")));
+  pane.transmittance_normal = 0.0;
+  pane.photometric = true;
+  lighting::Material black;
+  assumed.decide(pane, black);
+  EXPECT_FALSE(black.glazing.has_value());
+}
+
+TEST(MaterialRules, ALuminanceThatIsToldBecomesEmissionOfTheFront) {
+  MaterialAssumptions assumed;
+  SourceMaterial lamp = mtl("lamp");
+  lamp.diffuse = {0.0, 0.0, 0.0};
+  lamp.luminance_cd_m2 = 5000.0;
+  lighting::Material material;
+  assumed.decide(lamp, material);
+  ASSERT_TRUE(material.front.emission.has_value());
+  EXPECT_EQ(material.front.emission->luminance_cd_m2, 5000.0);
+  EXPECT_FALSE(material.back.emission.has_value());
+  EXPECT_EQ(material.became, "reflectance 0.00, shines with 5000 cd/m²");
+}
+
+TEST(MaterialRules, TranslucentMaterialsAreOpaqueAndItIsSaid) {
+  MaterialAssumptions assumed;
+  SourceMaterial opal = mtl("opal");
+  opal.diffuse = {0.5, 0.5, 0.5};
+  opal.translucent = 0.3;
+  opal.photometric = true;
+  lighting::Material material;
+  assumed.decide(opal, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.5F));
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("they are opaque: material opal")));
+}
+
+TEST(MaterialRules, ReflectancesBelowZeroAreClampedAndTold) {
+  MaterialAssumptions assumed;
+  SourceMaterial odd = mtl("odd");
+  odd.diffuse = {-0.2, -0.2, -0.2};
+  lighting::Material material;
+  assumed.decide(odd, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.0F));
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("outside 0")));
 }
 
 TEST(MaterialRules, TransparentMaterialsBecomeGlazing) {

@@ -128,7 +128,7 @@ TEST(StudyFile, SpecularJoinsTheDiffusePartAndSaysSo) {
   const StudyFolder folder;
   const auto study = folder.read_materials("wall = { reflectance = 0.05, specular = { reflectance = 0.6 } }\n");
   EXPECT_FLOAT_EQ(material(study, "wall").front.reflectance->front(), 0.65F);
-  EXPECT_THAT(study.assumptions, Contains(HasSubstr("specular reflectance joins the diffuse one: wall")));
+  EXPECT_THAT(study.assumptions, Contains(HasSubstr("specular reflectance joins the diffuse one: material wall")));
 }
 
 TEST(StudyFile, OpeningsAreNeitherGlassNorWall) {
