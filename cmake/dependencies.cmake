@@ -7,6 +7,7 @@ find_package(OpenMesh CONFIG REQUIRED) # CONFIG: once CGAL is found a plain call
 find_package(TBB CONFIG REQUIRED)
 find_package(embree 3.13 CONFIG REQUIRED)
 
+find_package(assimp 5.2 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(tomlplusplus CONFIG REQUIRED) # the target says TOML_HEADER_ONLY=0

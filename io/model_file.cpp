@@ -5,7 +5,9 @@
 
 #include <array>
 
+#include "io/collada.h"
 #include "io/dxf.h"
+#include "io/gltf.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -34,6 +36,8 @@ constexpr std::array kReaders{
     Reader{"PLY", " .ply ", &is_ply, &read_ply}, Reader{"OFF", " .off ", &is_off, &read_off},
     Reader{"DXF", " .dxf ", &is_dxf, &read_dxf},
     Reader{"Radiance", " .rad ", &looks_like_radiance, &read_radiance},
+    Reader{"glTF", " .gltf .glb ", &is_glb, &read_gltf},
+    Reader{"COLLADA", " .dae ", &is_collada, &read_collada},
 };
 
 const Reader* reader_by_extension(const std::filesystem::path& path) {

@@ -10,6 +10,7 @@ packages=(
   cmake
   fonts-dejavu-core
   g++
+  libassimp-dev
   libbenchmark-dev
   libcgal-dev
   libcli11-dev
