@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/room_cells.h"
+
+// Private to mesh/.
+namespace clerestory::mesh {
+
+/// Divides a span into one below and one above a height.
+struct ColumnCut {
+  std::uint32_t span = 0;
+  float at = 0.0F;  ///< [m]
+};
+
+/// The columns with the given spans divided. @param old_span  receives for each new span the one that it comes from
+Columns cut_columns(const Columns& columns, const std::vector<ColumnCut>& cuts, std::vector<std::uint32_t>& old_span);
+
+/// Yards that walls enclose on all sides below the open sky, cut at the height of these walls: rooms that lack a ceiling.
+std::vector<ColumnCut> roofless_rooms(const Columns& columns);
+
+/// Cells without floor in a part of them, cut at the level of that floor: stairwells, which are narrow, or small beside the floor.
+/// What is as wide as a gallery's hall stays whole.
+std::vector<ColumnCut> stairwells(const Columns& columns, const RoomCells& cells);
+
+}  // namespace clerestory::mesh

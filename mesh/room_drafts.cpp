@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/room_drafts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "mesh/column_cuts.h"
+#include "mesh/portals.h"
+
+namespace clerestory::mesh {
+
+namespace {
+
+constexpr float kHeadroom = 1.8F;  ///< [m]
+/// Of an area on which one can stand [m²].
+constexpr double kLeastArea = 0.8;
+/// Rooms are wider than twice this, walls and cupboards narrower [m].
+constexpr float kHalfWidth = 0.3F;
+/// Openings below a lintel from this width on are no doors: they join what they connect [m].
+constexpr double kWideOpening = 1.6;
+/// Places are in a room as far as they are no more than this way [m] from one with this much space around it [m]: what comes after
+/// is a slit.
+constexpr float kCoreClearance = 0.2F;
+constexpr double kSlitDepth = 1.0;
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), CellId{0}); }
+  CellId root(CellId c) {
+    auto& p = parent_;
+    while (p[index(c)] != c) c = p[index(c)] = p[index(p[index(c)])];
+    return c;
+  }
+  void join(CellId a, CellId b) {
+    a = root(a);
+    b = root(b);
+    parent_[index(std::max(a, b))] = std::min(a, b);
+  }
+
+ private:
+  static std::size_t index(CellId c) { return static_cast<std::size_t>(c); }
+  std::vector<CellId> parent_;
+};
+
+/// Cells of the divided columns: what was cut off below gets cells of its own, one for each that it was cut from.
+RoomCells carried_over(const RoomCells& cells, const Columns& cut, const std::vector<std::uint32_t>& old_span) {
+  RoomCells result;
+  result.count = 2 * cells.count;
+  for (std::uint32_t s = 0; s < cut.spans.size(); ++s) {
+    const bool lower = s + 1 < cut.spans.size() && old_span[s] == old_span[s + 1];
+    const CellId cell = cells.of_span[old_span[s]];
+    const auto shift = lower ? static_cast<CellId>(cells.count) : 0;
+    result.of_span.push_back(cell == kNoCell ? kNoCell : cell + shift);
+    result.clearance_m.push_back(cells.clearance_m[old_span[s]]);
+  }
+  return result;
+}
+
+void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
+  UnionFind joined(cells.count);
+  for (const Portal& portal : find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count))) {
+    if (portal.width_m >= kWideOpening) joined.join(portal.a, portal.b);
+  }
+  for (CellId& cell : cells.of_span) {
+    if (cell != kNoCell) cell = joined.root(cell);
+  }
+}
+
+/// What makes a room of a cell.
+struct Figures {
+  double area_m2 = 0.0;  ///< where one can stand
+  float clearance_m = 0.0F;
+};
+
+void keep_rooms(const Columns& columns, RoomCells& cells) {
+  const double cell_area = columns.raster.cell_m * columns.raster.cell_m;
+  std::vector<Figures> figures(cells.count);
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell || columns.spans[s].height() < kHeadroom) continue;
+    Figures& mine = figures[static_cast<std::size_t>(cells.of_span[s])];
+    mine.area_m2 += cell_area;
+    mine.clearance_m = std::max(mine.clearance_m, cells.clearance_m[s]);
+  }
+  for (CellId& cell : cells.of_span) {
+    if (cell == kNoCell) continue;
+    const Figures& mine = figures[static_cast<std::size_t>(cell)];
+    if (mine.area_m2 < kLeastArea || mine.clearance_m < kHalfWidth) cell = kNoCell;
+  }
+}
+
+/// Takes slits away from the rooms, such as the insides of walls that lack an end.
+void cut_slits(const Columns& columns, RoomCells& cells) {
+  const int most = static_cast<int>(kSlitDepth / columns.raster.cell_m);
+  std::vector<std::uint32_t> reached;
+  std::vector<int> way(columns.spans.size(), -1);
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell || cells.clearance_m[s] < kCoreClearance) continue;
+    way[s] = 0;
+    reached.push_back(s);
+  }
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const std::uint32_t s = reached[next];
+    if (way[s] >= most) continue;
+    for (const auto& beside : columns.raster.four_beside(columns.spans[s].column)) {
+      if (!beside) continue;
+      for (std::uint32_t t = columns.of(*beside).first; t < columns.of(*beside).second; ++t) {
+        if (way[t] >= 0 || cells.of_span[t] != cells.of_span[s]) continue;
+        if (overlap_m(columns.spans[s], columns.spans[t]) <= 0.0F) continue;
+        way[t] = way[s] + 1;
+        reached.push_back(t);
+      }
+    }
+  }
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (way[s] < 0) cells.of_span[s] = kNoCell;
+  }
+}
+
+/// Whether the border of a span towards a column is open: more than half of its height is free there, and no part of the room.
+enum class Border { kInside, kOpen, kWall };
+
+Border border(const RoomDrafts& drafts, std::uint32_t s, std::optional<std::uint32_t> column) {
+  if (!column) return Border::kOpen;
+  const Span& span = drafts.columns.spans[s];
+  const auto [first, last] = drafts.columns.of(*column);
+  Border found = Border::kWall;
+  for (std::uint32_t t = first; t < last; ++t) {
+    const float overlap = overlap_m(span, drafts.columns.spans[t]);
+    if (overlap <= 0.0F) continue;
+    if (drafts.of_span[t] == drafts.of_span[s]) return Border::kInside;
+    if (overlap > 0.5F * span.height()) found = Border::kOpen;
+  }
+  return found;
+}
+
+void measure_enclosure(RoomDrafts& drafts) {
+  std::vector<std::array<double, 2>> border_of(drafts.rooms.size());  // walls, open
+  const Raster& raster = drafts.columns.raster;
+  for (std::uint32_t s = 0; s < drafts.of_span.size(); ++s) {
+    if (drafts.of_span[s] == kNoCell) continue;
+    for (const auto& beside : raster.four_beside(drafts.columns.spans[s].column)) {
+      const Border b = border(drafts, s, beside);
+      if (b != Border::kInside)
+        border_of[static_cast<std::size_t>(drafts.of_span[s])][b == Border::kOpen ? 1 : 0] += 1.0;
+    }
+  }
+  for (std::size_t r = 0; r < drafts.rooms.size(); ++r) {
+    const auto& [walls, open] = border_of[r];
+    drafts.rooms[r].enclosed_share = walls + open > 0.0 ? walls / (walls + open) : 0.0;
+  }
+}
+
+RoomCells divided(const Columns& columns, Columns& result) {
+  const RoomCells cells = room_cells(columns, ceiling_links(columns));
+  std::vector<std::uint32_t> old_span;
+  result = cut_columns(columns, stairwells(columns, cells), old_span);
+  return carried_over(cells, result, old_span);
+}
+
+}  // namespace
+
+RoomDrafts draft_rooms(const Faces& faces) {
+  const Columns free = free_columns(faces, room_raster(faces));
+  std::vector<std::uint32_t> old_span;
+  const Columns yards_cut = cut_columns(free, roofless_rooms(free), old_span);
+
+  RoomDrafts drafts;
+  RoomCells cells = divided(yards_cut, drafts.columns);
+  join_over_wide_openings(drafts.columns, cells);
+  keep_rooms(drafts.columns, cells);
+  cut_slits(drafts.columns, cells);
+
+  std::map<CellId, CellId> number;
+  for (const CellId cell : cells.of_span) {
+    const auto next = static_cast<CellId>(number.size());
+    drafts.of_span.push_back(cell == kNoCell ? kNoCell : number.try_emplace(cell, next).first->second);
+  }
+  drafts.rooms.resize(number.size());
+  for (std::uint32_t s = 0; s < drafts.of_span.size(); ++s) {
+    if (drafts.of_span[s] == kNoCell) continue;
+    float& widest = drafts.rooms[static_cast<std::size_t>(drafts.of_span[s])].clearance_m;
+    widest = std::max(widest, cells.clearance_m[s]);
+  }
+  measure_enclosure(drafts);
+  return drafts;
+}
+
+}  // namespace clerestory::mesh
