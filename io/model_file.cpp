@@ -8,6 +8,7 @@
 #include "io/collada.h"
 #include "io/dxf.h"
 #include "io/gltf.h"
+#include "io/ifc.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -38,6 +39,7 @@ constexpr std::array kReaders{
     Reader{"Radiance", " .rad ", &looks_like_radiance, &read_radiance},
     Reader{"glTF", " .gltf .glb ", &is_glb, &read_gltf},
     Reader{"COLLADA", " .dae ", &is_collada, &read_collada},
+    Reader{"IFC", " .ifc ", &is_ifc, &read_ifc},
 };
 
 const Reader* reader_by_extension(const std::filesystem::path& path) {
@@ -63,7 +65,7 @@ ModelFile read_model(const std::filesystem::path& path, const ModelFormat& forma
     throw InputError(path.string(), 0, fmt::format("{} is no model", in_quotes(path.filename().string())),
                      fmt::format("export it as one of {}", fmt::join(model_format_words(), ", ")));
   ModelFile file = reader->read(path, format);
-  file.format = reader->name;
+  if (file.format.empty()) file.format = reader->name;
   return file;
 }
 

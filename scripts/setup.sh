@@ -18,6 +18,7 @@ packages=(
   libfmt-dev
   libgmock-dev
   libgtest-dev
+  libifcplusplus-dev
   libopenmesh-dev
   libtbb-dev
   libtomlplusplus-dev
