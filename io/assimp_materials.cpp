@@ -81,7 +81,7 @@ bool is_added(const aiMaterial& material) {
 SourceMaterial material_of(const aiMaterial& source, const std::string& file, const SceneConvention& convention) {
   SourceMaterial material;
   const aiString name = source.GetName();
-  if (name.length == 0 || is_added(source)) return material;
+  if (name.length == 0 || name.C_Str() == convention.stand_in || is_added(source)) return material;
   material.name = name.C_Str();
   material.file = file;
   material.told_by = convention.told_by;

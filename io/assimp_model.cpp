@@ -54,10 +54,10 @@ class SceneReader {
   };
 
   void read_nodes(const mesh::Affine& root);
-  void read_mesh(const aiNode& node, const aiMesh& mesh, const mesh::Affine& place);
+  void read_mesh(const aiMesh& mesh, const mesh::Affine& place, const std::string& part_name);
   void read_face(const aiMesh& mesh, const aiFace& face, std::uint32_t first, bool mirrored, mesh::MaterialId material,
                  mesh::PartId part);
-  [[nodiscard]] std::string part_name(const aiNode& node, const aiMesh& mesh) const;
+  [[nodiscard]] std::string part_name(const aiNode& node, unsigned which) const;
   void note_spacing(double spacing) { spacing_ = std::max(spacing_, spacing); }
 
   const aiScene& scene_;
@@ -80,19 +80,21 @@ void SceneReader::read_nodes(const mesh::Affine& root) {
     if (node->mNumMeshes > 0) note_spacing(scale_of(parent) * spacing_at(largest(matrix.a4, matrix.b4, matrix.c4)));
     for (unsigned at = 0; at < node->mNumMeshes; ++at) {
       if (node->mMeshes[at] >= scene_.mNumMeshes) throw InputError(file_, 0, "a node names a mesh that does not exist");
-      read_mesh(*node, *scene_.mMeshes[node->mMeshes[at]], place);
+      read_mesh(*scene_.mMeshes[node->mMeshes[at]], place, part_name(*node, at));
     }
     for (unsigned at = node->mNumChildren; at-- > 0;) waiting.push_back({node->mChildren[at], place});
   }
 }
 
-std::string SceneReader::part_name(const aiNode& node, const aiMesh& mesh) const {
-  for (const aiString* name : {&node.mName, &mesh.mName})
-    if (!is_made_up(name->C_Str())) return name->C_Str();
-  return kUnnamed;
+std::string SceneReader::part_name(const aiNode& node, unsigned which) const {
+  if (!is_made_up(node.mName.C_Str())) return node.mName.C_Str();
+  std::string name = scene_.mMeshes[node.mMeshes[which]]->mName.C_Str();
+  const std::string number = fmt::format("-{}", which);  // assimp's, for a mesh that it takes apart by material
+  if (node.mNumMeshes > 1 && name.ends_with(number)) name.resize(name.size() - number.size());
+  return is_made_up(name) ? kUnnamed : name;
 }
 
-void SceneReader::read_mesh(const aiNode& node, const aiMesh& mesh, const mesh::Affine& place) {
+void SceneReader::read_mesh(const aiMesh& mesh, const mesh::Affine& place, const std::string& part_name) {
   const bool has_polygons =
       std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, [](const aiFace& face) { return face.mNumIndices >= 3; });
   if (!has_polygons) {
@@ -109,7 +111,7 @@ void SceneReader::read_mesh(const aiNode& node, const aiMesh& mesh, const mesh::
   note_spacing(scale_of(place) * spacing_at(farthest));
   const std::string& material = mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex].name : "";
   const mesh::MaterialId material_id = builder_.material(material.empty() ? kUnnamed : material);
-  const mesh::PartId part = builder_.part(part_name(node, mesh));
+  const mesh::PartId part = builder_.part(part_name);
   const bool mirrored = place.determinant() < 0.0;
   for (unsigned at = 0; at < mesh.mNumFaces; ++at) read_face(mesh, mesh.mFaces[at], first, mirrored, material_id, part);
 }

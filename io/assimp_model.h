@@ -17,6 +17,7 @@ struct SceneConvention {
   mesh::Affine to_file;          ///< from the scene to the file's unit and axes, where these are none of ours
   std::optional<ToldUnit> unit;  ///< nothing: guessed
   UpAxis up = UpAxis::kZ;
+  std::string stand_in;  ///< name of a material that the reader put in for faces without one; empty for none
   /// 1 opaque, 0 clear, of a material's alpha; nothing where it means nothing in this format.
   std::optional<double> (*opacity)(const aiMaterial& material) = nullptr;
 };

@@ -12,6 +12,7 @@
 #include "io/child_process.h"
 #include "io/collada_text.h"
 #include "io/text_file.h"
+#include "mesh/error.h"
 
 namespace clerestory::io {
 
@@ -37,6 +38,7 @@ std::optional<LengthUnit> unit_of(double metres) {
 SceneConvention convention_of(const ColladaAsset& asset, const ModelFormat& format) {
   SceneConvention convention;
   convention.told_by = "the diffuse colour of the COLLADA";
+  convention.stand_in = kStandInMaterial;
   convention.opacity = &opacity_of;
   convention.up = asset.up == 'Y' ? UpAxis::kY : UpAxis::kZ;
   if (asset.up == 'X' && !format.up) convention.to_file = {{0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {}};
@@ -66,21 +68,23 @@ void turn_transparency(ModelFile& result) {
       "way round.");
 }
 
-ModelFile import_collada(const std::filesystem::path& path, const ModelFormat& format) {
-  std::string document = read_text_file(path, "model", kLongestDocument);
-  const ColladaAsset asset = take_asset(document, path.string());
-  move_blanks_back(document);
-  const std::size_t holes = count_elements(document, "ph");
-  AssimpImport import(path, "dae");
-  ModelFile result = model_of_scene(import, import.read_text(document), path, format, convention_of(asset, format));
-  turn_transparency(result);
-  if (holes > 0) result.notices.push_back(fmt::format("{} polygons with holes of the model were left out.", holes));
-  return result;
-}
-
 }  // namespace
 
 bool is_collada(std::string_view head) { return head.find("<COLLADA") != std::string_view::npos; }
+
+ModelFile import_collada(const std::filesystem::path& path, const ModelFormat& format) {
+  std::string document = read_text_file(path, "model", kLongestDocument);
+  const ColladaAsset asset = take_asset(document, path.string());
+  add_stand_in_material(document);
+  move_blanks_back(document);
+  if (const auto line = line_of_element(document, "ph"))
+    throw InputError(path.string(), *line, "this polygon has holes, which the importer cannot read",
+                     "export the model in triangles");
+  AssimpImport import(path, "dae");
+  ModelFile result = model_of_scene(import, import.read_text(document), path, format, convention_of(asset, format));
+  turn_transparency(result);
+  return result;
+}
 
 ModelFile read_collada(const std::filesystem::path& path, const ModelFormat& format) {
   return read_in_child(path, format, &import_collada);

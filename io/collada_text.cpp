@@ -122,12 +122,20 @@ void move_blanks_back(std::string& document) {
   }
 }
 
-std::size_t count_elements(const std::string& document, const std::string& name) {
-  std::size_t count = 0;
-  for (Span tag = find_tag(document, name, 0, document.size()); tag.begin != std::string::npos;
-       tag = find_tag(document, name, tag.end, document.size()))
-    ++count;
-  return count;
+void add_stand_in_material(std::string& document) {
+  const Span asset_end = find_tag(document, "/asset", 0, document.size());
+  if (asset_end.begin == std::string::npos) return;
+  // The importer sorts materials by their ids, and nothing sorts before a single !.
+  document.insert(asset_end.end,
+                  fmt::format("<library_effects><effect id=\"!\"><profile_COMMON/></effect></library_effects>"
+                              "<library_materials><material id=\"!\" name=\"{}\">"
+                              "<instance_effect url=\"#!\"/></material></library_materials>",
+                              kStandInMaterial));
+}
+
+std::optional<std::uint64_t> line_of_element(const std::string& document, const std::string& name) {
+  const Span tag = find_tag(document, name, 0, document.size());
+  return tag.begin == std::string::npos ? std::nullopt : std::optional(line_of(document, tag.begin));
 }
 
 }  // namespace clerestory::io

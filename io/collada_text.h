@@ -23,7 +23,13 @@ ColladaAsset take_asset(std::string& document, const std::string& file);
 /// Tags, comments and attributes keep their places.
 void move_blanks_back(std::string& document);
 
-/// How often an element begins in the document.
-std::size_t count_elements(const std::string& document, const std::string& name);
+/// The name of the material that add_stand_in_material() adds.
+inline constexpr const char* kStandInMaterial = "clerestory:no-material";
+
+/// Adds a material before all others, for faces without one: the importer gives them the first that it finds. Lines keep their numbers.
+void add_stand_in_material(std::string& document);
+
+/// The 1-based line in which the first element of that name begins; nothing for none.
+std::optional<std::uint64_t> line_of_element(const std::string& document, const std::string& name);
 
 }  // namespace clerestory::io

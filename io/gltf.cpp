@@ -72,6 +72,10 @@ const aiScene& read_scene(AssimpImport& import, const std::filesystem::path& pat
   }
 }
 
+}  // namespace
+
+bool is_glb(std::string_view head) { return head.starts_with("glTF"); }
+
 ModelFile import_gltf(const std::filesystem::path& path, const ModelFormat& format) {
   require_file(path, "model");
   AssimpImport import(path, "gltf");
@@ -82,10 +86,6 @@ ModelFile import_gltf(const std::filesystem::path& path, const ModelFormat& form
   convention.opacity = &opacity_of;
   return model_of_scene(import, read_scene(import, path), path, format, convention);
 }
-
-}  // namespace
-
-bool is_glb(std::string_view head) { return head.starts_with("glTF"); }
 
 ModelFile read_gltf(const std::filesystem::path& path, const ModelFormat& format) {
   return read_in_child(path, format, &import_gltf);

@@ -20,4 +20,7 @@ bool is_glb(std::string_view head);
 /// Source: Khronos Group, glTF 2.0 specification, 2021.
 ModelFile read_gltf(const std::filesystem::path& path, const ModelFormat& format = {});
 
+/// What read_gltf() runs in the child process.
+ModelFile import_gltf(const std::filesystem::path& path, const ModelFormat& format);
+
 }  // namespace clerestory::io

@@ -129,6 +129,17 @@ TEST_F(Collada, TransparencyIsOpacityUnlessAllWouldBeClear) {
   EXPECT_NEAR(opacity("1"), 1.0, 1e-6);
 }
 
+TEST_F(Collada, FacesWithoutAMaterialDoNotGetAnother) {
+  std::string text = triangle(kMetresZUp);
+  const std::size_t binding = text.find("<bind_material>");
+  text.erase(binding, text.find("</instance_geometry>") - binding);
+  const ModelFile file = read(text);
+  EXPECT_THAT(file.model.material_names, ElementsAre("default"));
+  EXPECT_FALSE(file.materials[0].diffuse.has_value());
+  EXPECT_THAT(file.unused_materials, ElementsAre("oak"));
+  EXPECT_THAT(file.notices, Contains(HasSubstr("No material specified for subgroup <s>")));
+}
+
 TEST_F(Collada, BadFilesAreRefusedWithTheirLine) {
   EXPECT_THAT(refusal(""), HasSubstr("room.dae: "));
   EXPECT_THAT(refusal("<COLLADA>\n<asset>\n</COLLADA>"), HasSubstr("room.dae:3: this is no sound XML"));
@@ -140,6 +151,9 @@ TEST_F(Collada, BadFilesAreRefusedWithTheirLine) {
   text = triangle(kMetresZUp);
   text.replace(text.find("0 0 0 1 0 0"), 11, "0 x 0 1 0 0");
   EXPECT_THAT(refusal(text), HasSubstr("room.dae: "));
+  text = triangle(kMetresZUp);
+  text.replace(text.find("<p>0 1 2</p>"), 12, "<ph><p>0 1 2</p><h>0 1 2</h></ph>");
+  EXPECT_THAT(refusal(text), HasSubstr("room.dae:11: this polygon has holes, which the importer cannot read"));
   EXPECT_THAT(refusal("<COLLADA version=\"1.4.1\"></COLLADA>"), HasSubstr("room.dae: "));
 }
 

@@ -59,8 +59,9 @@ TEST(ColladaText, UnfinishedMarkupEndsWithTheText) {
   }
 }
 
-TEST(ColladaText, ElementsAreCountedByTheirWholeName) {
-  EXPECT_EQ(count_elements("<p>1</p><ph><p>2</p></ph><ph/><phx/><!-- <ph> -->", "ph"), 2U);
+TEST(ColladaText, AnElementIsFoundByItsWholeName) {
+  EXPECT_EQ(line_of_element("<p>1</p>\n<phx/><!-- <ph> -->\n<ph><p>2</p></ph>", "ph"), 3U);
+  EXPECT_FALSE(line_of_element("<p>1</p></ph>", "ph").has_value());
 }
 
 }  // namespace
