@@ -13,7 +13,7 @@ namespace clerestory::io {
 
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 constexpr std::size_t kLongestLine = std::size_t{64} << 20;  // a face of some 8 million corners; more is no model
 
 bool is_big_endian(std::string_view utf16) { return utf16.starts_with("\xfe\xff"); }
