@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestIncludes = 64;
-constexpr std::size_t kMostPolygons = 20000000;
+constexpr std::size_t kMostPolygons = 5000000;  // of any building, and of what the memory of a common machine holds
 constexpr std::uint64_t kLargestArguments = std::uint64_t{1} << 20;  // bytes
 
 /// How a file is included.

@@ -50,7 +50,7 @@ struct RadiancePlace {
 using ArgumentLines = std::function<std::vector<std::string>(const std::string& file)>;
 
 /// Copies that one scene may consist of.
-inline constexpr std::size_t kMostRadianceCopies = 1000000;
+inline constexpr std::size_t kMostRadianceCopies = 200000;
 
 /// Understands "xform …" and "cat FILE …", and such commands with "| xform …" behind; nothing is ever run.
 /// Throws InputError for any other command, for what a shell would expand or redirect, for options that xform does not have, numbers

@@ -122,10 +122,10 @@ TEST_F(Radiance, ScenesThatIncludeThemselvesAreRefused) {
 TEST_F(Radiance, TooMuchIsRefusedBeforeItFillsTheMemory) {
   write_text(beside("ball.rad"), "paint sphere s 0 0 4 0 0 0 1000\n");
   write_text(beside("balls.rad"), "!xform -a 1000 -t 1 0 0 ball.rad\n");
-  EXPECT_THAT(refusal("!xform -a 1000 -t 1 0 0 balls.rad\n"), HasSubstr("over 20000000 polygons"));
+  EXPECT_THAT(refusal("!xform -a 1000 -t 1 0 0 balls.rad\n"), HasSubstr("over 5000000 polygons"));
   write_text(beside("nothing.rad"), "# nothing\n");
   write_text(beside("much.rad"), "!xform -a 2000 -t 1 0 0 nothing.rad\n");
-  EXPECT_THAT(refusal("!xform -a 2000 -t 1 0 0 much.rad\n"), HasSubstr("includes over 1000000 files"));
+  EXPECT_THAT(refusal("!xform -a 2000 -t 1 0 0 much.rad\n"), HasSubstr("includes over 200000 files"));
 }
 
 TEST_F(Radiance, FilesThatAreNotThereAreNamedWithTheLine) {

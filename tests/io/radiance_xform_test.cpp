@@ -105,8 +105,8 @@ TEST(RadianceXform, WrongArgumentsAreRefused) {
   EXPECT_THAT(refusal("xform -t 1 2 3"), HasSubstr("names no file"));
   EXPECT_THAT(refusal("cat"), HasSubstr("names no file"));
   EXPECT_THAT(refusal("xform -a x a"), HasSubstr("'x' is no count"));
-  EXPECT_THAT(refusal("xform -a 2000000 -t 1 0 0 a"), HasSubstr("more than 1000000 copies"));
-  EXPECT_THAT(refusal("xform -a 2000 -t 1 0 0 -a 2000 -t 0 1 0 a"), HasSubstr("more than 1000000 copies"));
+  EXPECT_THAT(refusal("xform -a 2000000 -t 1 0 0 a"), HasSubstr("more than 200000 copies"));
+  EXPECT_THAT(refusal("xform -a 2000 -t 1 0 0 -a 2000 -t 0 1 0 a"), HasSubstr("more than 200000 copies"));
 }
 
 }  // namespace
