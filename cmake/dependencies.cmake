@@ -3,7 +3,6 @@
 
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL 5.5 REQUIRED)
-find_package(OpenMesh CONFIG REQUIRED) # CONFIG: once CGAL is found a plain call finds CGAL's module and fails
 find_package(TBB CONFIG REQUIRED)
 find_package(embree 3.13 CONFIG REQUIRED)
 

@@ -6,12 +6,17 @@
 #include <utility>
 
 #include "mesh/defects.h"
+#include "mesh/edge_uses.h"
 #include "mesh/error.h"
+#include "mesh/gaps.h"
+#include "mesh/intersections.h"
 #include "mesh/nonplanar.h"
+#include "mesh/orientation.h"
 #include "mesh/panes.h"
 #include "mesh/placement.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
+#include "mesh/specks.h"
 #include "mesh/t_junctions.h"
 #include "mesh/weld.h"
 
@@ -23,6 +28,8 @@ namespace {
 constexpr int kMaxRounds = 4;
 /// Corners moved by welding and by vertices set into edges stay within twice the tolerance of their plane.
 constexpr double kPlanarityOverWeld = 2.0;
+/// Length of open edges that cutting may add by rounding [m].
+constexpr double kOpenedLength = 1e-3;
 
 double total_area(const Soup& soup) {
   double sum = 0.0;
@@ -50,23 +57,90 @@ bool reduce_all_panes(Soup& soup, const CleanOptions& options, const Model& mode
   return changed;
 }
 
-void repair(Soup& soup, const CleanOptions& options, const Model& model, DefectList& defects,
-            std::vector<std::string>& notices) {
-  const double tolerance = options.weld_tolerance_m;
-  weld(soup, tolerance, defects);
-  drop_degenerate(soup, tolerance, defects);
-  if (reduce_all_panes(soup, options, model, notices)) {
+/// The steps of the clean-up on one soup, told to who watches.
+class Repair {
+ public:
+  Repair(Soup& soup, const CleanOptions& options, const Model& model, Progress& progress)
+      : soup_(soup), options_(options), model_(model), progress_(progress), tolerance_(options.weld_tolerance_m) {}
+
+  /// @param report  receives notices and counts
+  DefectList run(CleanReport& report) {
+    progress_.phase("welding");
+    weld(soup_, tolerance_, defects_);
+    drop_degenerate(soup_, tolerance_, defects_);
+    if (reduce_all_panes(soup_, options_, model_, report.notices)) weld_again();
+    progress_.phase("T-junctions");
+    make_conforming();
+    drop_duplicates(soup_, model_.material_names, defects_);
+    progress_.phase("gaps");
+    close_all_gaps(report);
+    progress_.phase("intersections");
+    resolve_all_intersections();
+    drop_duplicates(soup_, model_.material_names, defects_);
+    progress_.phase("shells");
+    remove_specks(soup_, defects_);
+    report.closed_shells = orient_shells(soup_, defects_);
+    report.open_edges = open_edges(soup_).count;
+    return std::move(defects_);
+  }
+
+ private:
+  /// After steps that set vertices near others; what they bring about is no defect of the model.
+  void weld_again() {
     DefectList own_making;
-    weld(soup, tolerance, own_making);
+    weld(soup_, tolerance_, own_making);
   }
-  for (int round = 0; round < kMaxRounds; ++round) {
-    bool changed = split_t_junctions(soup, tolerance, defects);
-    changed |= drop_degenerate(soup, tolerance, defects);
-    changed |= triangulate_nonplanar(soup, kPlanarityOverWeld * tolerance, defects);
-    if (!changed) break;
+
+  /// Vertices on edges become corners of them, and polygons that welding or those corners bent become triangles.
+  void make_conforming() { make_conforming(defects_); }
+  void make_conforming(DefectList& defects) {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      bool changed = split_t_junctions(soup_, tolerance_, defects);
+      changed |= drop_degenerate(soup_, tolerance_, defects);
+      changed |= triangulate_nonplanar(soup_, kPlanarityOverWeld * tolerance_, defects);
+      if (!changed) break;
+    }
   }
-  drop_duplicates(soup, model.material_names, defects);
-}
+
+  void close_all_gaps(CleanReport& report) {
+    report.gap_m = options_.gap_m ? *options_.gap_m : gap_of_precision(soup_, tolerance_);
+    for (int round = 0; round < kMaxRounds; ++round) {
+      if (!close_gaps(soup_, report.gap_m, tolerance_, defects_)) break;
+      weld_again();
+      DefectList own_making;
+      make_conforming(own_making);
+    }
+  }
+
+  /// Pieces of one round may still cross others where a polygon had to be left whole. A round that opens what was closed is taken back.
+  void resolve_all_intersections() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const Soup before = soup_;
+      DefectList found;
+      if (!resolve_intersections(soup_, tolerance_, model_.material_names, found)) {
+        defects_.append(std::move(found));
+        break;
+      }
+      DefectList own_making;
+      weld_again();
+      make_conforming(own_making);
+      drop_duplicates(soup_, model_.material_names, own_making);
+      if (open_edges(soup_).length_m > open_edges(before).length_m + kOpenedLength) {
+        soup_ = before;
+        defects_.append(std::move(found).all_left("cutting there would open a surface that is closed"));
+        break;
+      }
+      defects_.append(std::move(found));
+    }
+  }
+
+  Soup& soup_;
+  const CleanOptions& options_;
+  const Model& model_;
+  Progress& progress_;
+  double tolerance_;
+  DefectList defects_;
+};
 
 /// What is needed to go on even without repair: polygons that have no plane are dropped, and panes are reduced, since that is what
 /// their material asks for and not a repair. Vertices at the same place are shared, which moves nothing, so that panes are found.
@@ -84,26 +158,30 @@ void throw_if_empty(const Soup& soup) {
 
 }  // namespace
 
-CleanSurface clean(const Model& model, const CleanOptions& options) {
+CleanSurface clean(const Model& model, const CleanOptions& options, Progress* progress) {
   assert(std::all_of(model.vertices.begin(), model.vertices.end(), [](const Point& p) { return is_finite(p); }));
-  using Repair = CleanOptions::Repair;
+  using Mode = CleanOptions::Repair;
+  NoProgress unwatched;
+  Progress& watcher = progress != nullptr ? *progress : unwatched;
+  watcher.phase("placing");
   CleanSurface surface;
   CleanReport& report = surface.report;
   Soup soup = to_soup(model);
   report.area_before_m2 = area_as_given(soup);
-  if (options.repair == Repair::kAuto) {
+  if (options.repair == Mode::kAuto) {
     leave_out_far_parts(soup, options.far_away_m, model.part_names, report.notices);
   }
   surface.origin = recentre(soup);
 
   DefectList defects;
-  if (options.repair == Repair::kReport) {
+  if (options.repair == Mode::kReport) {
     Soup trial = soup;
-    std::vector<std::string> ignored;
-    repair(trial, options, model, defects, ignored);
+    CleanReport of_trial;
+    defects = Repair(trial, options, model, watcher).run(of_trial);
+    report.gap_m = of_trial.gap_m;
   }
-  if (options.repair == Repair::kAuto) {
-    repair(soup, options, model, defects, report.notices);
+  if (options.repair == Mode::kAuto) {
+    defects = Repair(soup, options, model, watcher).run(report);
     // What was dropped may have stood out.
     surface.origin = surface.origin + recentre(soup);
   } else {
@@ -112,11 +190,14 @@ CleanSurface clean(const Model& model, const CleanOptions& options) {
   throw_if_empty(soup);
 
   report.defects = std::move(defects).take(surface.origin);
-  if (options.repair == Repair::kReport) {
-    for (Defect& defect : report.defects) defect.mended = 0;
+  if (options.repair == Mode::kReport) {
+    for (Defect& defect : report.defects) {
+      defect.mended = 0;
+      for (Defect::Place& place : defect.places) place.mended = false;
+    }
   }
   report.area_after_m2 = total_area(soup);
-  surface.polygons = to_model(soup, model, surface.source);
+  surface.polygons = to_model(soup, model, surface.source, surface.flipped);
   return surface;
 }
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesh/model.h"
+#include "mesh/progress.h"
 
 namespace clerestory::mesh {
 
@@ -19,6 +21,9 @@ struct CleanOptions {
   /// 0.02 mm: twenty times under the gap of 0.1 to 1 mm that models leave on purpose, and well over the rounding of
   /// files that print six decimals.
   double weld_tolerance_m = 2e-5;
+  /// Corners at open edges this near to another surface are drawn to it [m]; 0: none. Not given: the precision of the model's own
+  /// coordinates, 1 mm at most (mesh/gaps.h).
+  std::optional<double> gap_m;
   /// Thin sheets: by material, whether its thin solids and double sheets are one pane, to be replaced by its
   /// mid-surface (glazing: the transmittance of the whole unit applies once). Empty: none.
   std::vector<bool> sheet_materials;
@@ -33,11 +38,13 @@ struct Defect {
   std::string kind;  ///< "duplicate vertices", "T-junctions", "degenerate polygons", …
   std::size_t found = 0;
   std::size_t mended = 0;
-  /// The first few, with polygon (index into the model) and place [m, model coordinates].
+  /// One such defect. Of very many (100 000), the first.
   struct Place {
-    std::uint32_t polygon = 0;
-    Point at;
-    std::string note;
+    std::uint32_t polygon = 0;  ///< index into the model
+    Point at;                   ///< [m, model coordinates]
+    std::string note;           ///< what was done where there was a choice; of what was left, why
+    double size_m = 0.0;        ///< how bad: the width of a gap, the shift of a vertex, the square root of an area
+    bool mended = true;
   };
   std::vector<Place> places;
 };
@@ -47,19 +54,28 @@ struct CleanReport {
   std::vector<std::string> notices;  ///< one sentence each: panes reduced, parts left out …
   double area_before_m2 = 0.0;
   double area_after_m2 = 0.0;
+  double gap_m = 0.0;             ///< up to which gaps were closed
+  std::size_t open_edges = 0;     ///< after the clean-up: edges at which one polygon ends and no other begins
+  std::size_t closed_shells = 0;  ///< after the clean-up: connected polygons without an open edge
 };
 
 /// Welded polygons without degenerate or duplicate ones; vertices on edges are corners of those edges, so that polygons that
-/// touch along a line share its vertices.
+/// touch along a line share its vertices. No two polygons lie on each other or cross. Connected polygons look the same way, closed
+/// shells outward.
 struct CleanSurface {
   Model polygons;                     ///< local coordinates: place in the model minus origin
   Vector origin;                      ///< model coordinates = local coordinates + origin [m]
   std::vector<std::uint32_t> source;  ///< polygon → polygon of the model that it comes from
+  /// Polygon → 1 where it is wound the other way round than its source. The sides of a face are those of the source: its front is
+  /// the side from which the file's winding is counter-clockwise, whatever the clean-up turned.
+  std::vector<std::uint8_t> flipped;
   CleanReport report;
 };
 
-/// Cleans a model. Idempotent: a clean surface comes back unchanged, with an empty list of defects.
+/// Cleans a model. Idempotent: a clean surface comes back unchanged, and its list of defects holds only what cannot be mended.
+/// Never worse: a repair that would lose area or open a shell is taken back, and the defect told as left.
 /// Throws InputError when nothing is left.
-CleanSurface clean(const Model& model, const CleanOptions& options);
+/// @param progress  hears of the steps as phases; may be null
+CleanSurface clean(const Model& model, const CleanOptions& options, Progress* progress = nullptr);
 
 }  // namespace clerestory::mesh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -12,9 +11,6 @@ namespace clerestory::mesh {
 
 namespace {
 
-/// Planes at a smaller angle than this have no line of intersection worth the name [rad].
-constexpr double kParallelSine = 1e-6;
-
 using EdgeSet = std::unordered_set<Edge, EdgeHash>;
 
 Box box_of(const FaceDrafts& drafts, const FaceDraft& face) {
@@ -23,20 +19,10 @@ Box box_of(const FaceDrafts& drafts, const FaceDraft& face) {
   return box;
 }
 
-/// Whether a box comes within a distance of a plane.
-bool near_plane(const Box& box, const PlaneCoordinates& plane, double distance) {
-  const Vector half = 0.5 * box.size();
-  const Vector& w = plane.frame.w;
-  const double reach = half.x * std::abs(w.x) + half.y * std::abs(w.y) + half.z * std::abs(w.z);
-  return std::abs(plane.distance(box.centre())) <= reach + distance;
-}
-
-Point between(const Point& a, const Point& b, double t) { return a + t * (b - a); }
-
 /// What the search for contacts needs to know of each face; faces themselves only get lines.
 class ContactSearch {
  public:
-  explicit ContactSearch(FaceDrafts& drafts) : drafts_(drafts), outlines_(drafts.faces.size()) {
+  explicit ContactSearch(FaceDrafts& drafts) : drafts_(drafts), regions_(drafts.faces.size()) {
     for (const FaceDraft& face : drafts_.faces) boxes_.push_back(box_of(drafts_, face));
     EdgeSet known;
     for (const FaceDraft& face : drafts_.faces) {
@@ -61,9 +47,9 @@ class ContactSearch {
   }
 
  private:
-  const PlanarOutline& outline(std::uint32_t f) {
-    if (!outlines_[f]) outlines_[f] = outline_of(drafts_, drafts_.faces[f]);
-    return *outlines_[f];
+  const PlanarRegion& region(std::uint32_t f) {
+    if (!regions_[f]) regions_[f] = region_of(drafts_, drafts_.faces[f]);
+    return *regions_[f];
   }
 
   /// Edges of other faces that lie in the plane of this one, as far as they run inside it.
@@ -85,8 +71,9 @@ class ContactSearch {
     for (const std::uint32_t e : found) {
       const Point a = drafts_.vertices[edges_[e][0]];
       const Point b = drafts_.vertices[edges_[e][1]];
-      for (const Stretch& s : outline(f).inner_stretches(face.plane.project(a), face.plane.project(b), tolerance)) {
-        add_line(face, drafts_.vertices.add(between(a, b, s.begin)), drafts_.vertices.add(between(a, b, s.end)));
+      for (const auto& [begin, end] : stretches_inside(region(f), {a, b}, tolerance)) {
+        const std::uint32_t from = drafts_.vertices.add(begin);
+        add_line(face, from, drafts_.vertices.add(end));
       }
     }
   }
@@ -115,51 +102,12 @@ class ContactSearch {
     return above && below;
   }
 
-  /// The stretch of the line of two planes that lies within the convex hull of face g.
-  std::optional<std::pair<Point, Point>> common_line(std::uint32_t f, std::uint32_t g) const {
-    const PlaneCoordinates& plane = drafts_.faces[f].plane;
-    Vector direction = cross(plane.frame.w, drafts_.faces[g].plane.frame.w);
-    if (norm(direction) < kParallelSine) return std::nullopt;
-    direction = normalized(direction);
-    std::pair<Point, Point> ends;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const auto& [a, b] : drafts_.faces[g].boundary) {
-      const double da = plane.distance(drafts_.vertices[a]);
-      const double db = plane.distance(drafts_.vertices[b]);
-      if ((da > 0.0) == (db > 0.0)) continue;
-      const Point p = between(drafts_.vertices[a], drafts_.vertices[b], da / (da - db));
-      const double t = dot(p - plane.origin, direction);
-      if (t < low) ends.first = p;
-      if (t > high) ends.second = p;
-      low = std::min(low, t);
-      high = std::max(high, t);
-    }
-    if (high - low <= drafts_.tolerance) return std::nullopt;
-    return ends;
-  }
-
   void add_trace(std::uint32_t f, std::uint32_t g) {
-    const auto line = common_line(f, g);
-    if (!line) return;
-    const Point& a = line->first;
-    const Point& b = line->second;
-    const auto inside = [&](std::uint32_t face) {
-      const PlaneCoordinates& plane = drafts_.faces[face].plane;
-      return outline(face).inner_stretches(plane.project(a), plane.project(b), drafts_.tolerance);
-    };
-    const std::vector<Stretch> in_f = inside(f);
-    const std::vector<Stretch> in_g = inside(g);
-    for (const Stretch& s : in_f) {
-      for (const Stretch& t : in_g) {
-        const double begin = std::max(s.begin, t.begin);
-        const double end = std::min(s.end, t.end);
-        if ((end - begin) * norm(b - a) <= drafts_.tolerance) continue;
-        const std::uint32_t from = drafts_.vertices.add(between(a, b, begin));
-        const std::uint32_t to = drafts_.vertices.add(between(a, b, end));
-        add_line(drafts_.faces[f], from, to);
-        add_line(drafts_.faces[g], from, to);
-      }
+    for (const auto& [a, b] : crossing_stretches(region(f), region(g), drafts_.tolerance)) {
+      const std::uint32_t from = drafts_.vertices.add(a);
+      const std::uint32_t to = drafts_.vertices.add(b);
+      add_line(drafts_.faces[f], from, to);
+      add_line(drafts_.faces[g], from, to);
     }
   }
 
@@ -169,7 +117,7 @@ class ContactSearch {
 
   FaceDrafts& drafts_;
   std::vector<Box> boxes_;
-  std::vector<std::optional<PlanarOutline>> outlines_;
+  std::vector<std::optional<PlanarRegion>> regions_;
   std::vector<Edge> edges_;
   BoxTree edge_tree_;
   BoxTree face_tree_;
@@ -177,13 +125,11 @@ class ContactSearch {
 
 }  // namespace
 
-PlanarOutline outline_of(const FaceDrafts& drafts, const FaceDraft& face) {
-  std::vector<PlanarOutline::Segment> segments;
-  segments.reserve(face.boundary.size());
-  for (const auto& [a, b] : face.boundary) {
-    segments.push_back({face.plane.project(drafts.vertices[a]), face.plane.project(drafts.vertices[b])});
-  }
-  return PlanarOutline(std::move(segments));
+PlanarRegion region_of(const FaceDrafts& drafts, const FaceDraft& face) {
+  std::vector<Segment> edges;
+  edges.reserve(face.boundary.size());
+  for (const auto& [a, b] : face.boundary) edges.push_back({drafts.vertices[a], drafts.vertices[b]});
+  return {face.plane, std::move(edges)};
 }
 
 void find_contacts(FaceDrafts& drafts) { ContactSearch(drafts).run(); }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "mesh/t_junctions.h"
+#include "mesh/edge_uses.h"
 
 namespace clerestory::mesh {
 
@@ -16,25 +16,12 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-struct EdgeUse {
-  Edge edge{};
-  std::uint32_t polygon = 0;
-  bool forward = false;  ///< the polygon walks from edge[0] to edge[1]
-  auto operator<=>(const EdgeUse&) const = default;
-};
-
 /// All uses of edges, sorted, with where those of each polygon stand.
 struct Adjacency {
   std::vector<EdgeUse> uses;
   std::vector<std::vector<std::uint32_t>> of_polygon;
 
-  explicit Adjacency(const Soup& soup) : of_polygon(soup.polygons.size()) {
-    for (std::uint32_t p = 0; p < soup.polygons.size(); ++p) {
-      for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t b) {
-        uses.push_back({edge_between(a, b), p, a < b});
-      });
-    }
-    std::sort(uses.begin(), uses.end());
+  explicit Adjacency(const Soup& soup) : uses(sorted_edge_uses(soup)), of_polygon(soup.polygons.size()) {
     for (std::uint32_t u = 0; u < uses.size(); ++u) of_polygon[uses[u].polygon].push_back(u);
   }
 

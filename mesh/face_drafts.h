@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/faces.h"
-#include "mesh/planar.h"
+#include "mesh/planar_region.h"
 #include "mesh/t_junctions.h"
 #include "mesh/vertex_index.h"
 
@@ -37,7 +37,12 @@ struct FaceDrafts {
 };
 
 /// The inside of a face in its plane.
-PlanarOutline outline_of(const FaceDrafts& drafts, const FaceDraft& face);
+PlanarRegion region_of(const FaceDrafts& drafts, const FaceDraft& face);
+
+/// Appends the triangles of one face: constrained Delaunay, with its lines in it, regions numbered. Crossings of lines that are left get
+/// vertices, which are added to the drafts.
+/// @return the face's area [m²]
+double triangulate_face(FaceDrafts& drafts, const FaceDraft& face, std::vector<Triangle>& triangles);
 
 /// Finds where faces touch and cross each other and gives each of them those lines: edges of one that lie in the plane of another,
 /// clipped to it, and the traces along which two faces cross. Then splits boundaries and lines of all faces at each other's

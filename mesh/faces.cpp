@@ -11,14 +11,10 @@
 #include "mesh/face_loops.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
-#include "mesh/triangulate.h"
 
 namespace clerestory::mesh {
 
 namespace {
-
-/// Slivers narrower than this share of the plane tolerance come from rounding: points and lines of a face lie farther apart.
-constexpr double kSliverOverTolerance = 0.1;
 
 /// The soup with its vertices put into the index. Nothing moves where the surface was cleaned with a weld tolerance of at least the
 /// plane tolerance; where it was not, this is what makes faces share vertices at all.
@@ -78,6 +74,10 @@ std::vector<DirectedEdge> boundary_of_group(const Soup& soup, const CoplanarGrou
 FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) {
   FaceDrafts drafts(options.plane_tolerance_m);
   Soup soup = to_soup(surface.polygons);
+  // Sides are those of the source: what the clean-up turned is turned back.
+  for (std::size_t p = 0; p < surface.flipped.size(); ++p) {
+    if (surface.flipped[p] != 0) flip(soup.polygons[p]);
+  }
   share_vertices_of(soup, drafts.vertices);
   drop_unusable(soup);
   for (const CoplanarGroup& group :
@@ -87,43 +87,6 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) 
         {plane_of_group(soup, group), first.material, first.part, boundary_of_group(soup, group), {}});
   }
   return drafts;
-}
-
-/// Appends the triangles of one face to the shape.
-/// @return the face's area [m²]
-double triangulate_face(FaceDrafts& drafts, const FaceDraft& face, std::vector<Triangle>& triangles) {
-  PlanarGraph graph;
-  std::vector<std::uint32_t> vertices;
-  std::unordered_map<std::uint32_t, std::uint32_t> index;
-  const auto local = [&](std::uint32_t vertex) {
-    const auto [place, fresh] = index.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
-    if (fresh) {
-      vertices.push_back(vertex);
-      graph.points.push_back(face.plane.project(drafts.vertices[vertex]));
-    }
-    return place->second;
-  };
-  std::vector<DirectedEdge> boundary;
-  for (const auto& [a, b] : face.boundary) {
-    const std::uint32_t from = local(a);
-    boundary.push_back({from, local(b)});
-  }
-  graph.segments.assign(boundary.begin(), boundary.end());
-  for (const auto& [a, b] : face.lines) {
-    const std::uint32_t from = local(a);
-    graph.segments.push_back({from, local(b)});
-  }
-  const PlanarMesh mesh = triangulate_inside(std::move(graph), boundary, kSliverOverTolerance * drafts.tolerance);
-  for (std::size_t i = vertices.size(); i < mesh.points.size(); ++i) {
-    vertices.push_back(drafts.vertices.append(face.plane.lift(mesh.points[i])));
-  }
-  double area = 0.0;
-  for (const PlanarTriangle& t : mesh.triangles) {
-    triangles.push_back(
-        {{vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]}, t.constrained, t.component});
-    area += 0.5 * doubled_area(mesh.points[t.vertices[0]], mesh.points[t.vertices[1]], mesh.points[t.vertices[2]]);
-  }
-  return area;
 }
 
 /// Keeps the vertices that triangles use.

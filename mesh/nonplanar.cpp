@@ -54,19 +54,20 @@ std::vector<std::uint32_t> bends_of(const Soup& soup, std::vector<std::uint32_t>
   return kept;
 }
 
-/// Whether a corner lies farther than the tolerance from the mean plane. Corners that only divide an edge do not count: they were set
-/// into it with the tolerance of T-junctions, and a triangle with such corners is planar for good.
-bool is_warped(const Soup& soup, const SoupPolygon& polygon, double tolerance) {
+/// The distance of the farthest corner from the mean plane [m] where it is more than the tolerance. Corners that only divide an edge do
+/// not count: they were set into it with the tolerance of T-junctions, and a triangle with such corners is planar for good.
+std::optional<double> warp_of(const Soup& soup, const SoupPolygon& polygon, double tolerance) {
   SoupPolygon bare;
   for (const std::vector<std::uint32_t>& loop : polygon.loops) bare.loops.push_back(bends_of(soup, loop, tolerance));
-  if (bare.loops.size() == 1 && bare.loops[0].size() <= 3) return false;
+  if (bare.loops.size() == 1 && bare.loops[0].size() <= 3) return std::nullopt;
   const std::optional<Plane> plane = plane_of(soup.points, bare, 0.0);
-  if (!plane) return false;
+  if (!plane) return std::nullopt;
   double largest = 0.0;
   for_each_edge(bare, [&](std::uint32_t corner, std::uint32_t) {
     largest = std::max(largest, std::abs(plane->distance(soup.points[corner])));
   });
-  return largest > tolerance;
+  if (largest <= tolerance) return std::nullopt;
+  return largest;
 }
 
 /// The corners of a polygon in its plane, with the vertex that each is.
@@ -107,6 +108,7 @@ std::vector<SoupPolygon> triangles_of(const Soup& soup, const SoupPolygon& polyg
     triangle.material = polygon.material;
     triangle.part = polygon.part;
     triangle.source = polygon.source;
+    triangle.flipped = polygon.flipped;
     triangle.line = polygon.line;
     triangles.push_back(std::move(triangle));
   }
@@ -121,15 +123,20 @@ bool triangulate_nonplanar(Soup& soup, double tolerance, DefectList& defects) {
   bool changed = false;
   for (SoupPolygon& polygon : soup.polygons) {
     std::vector<SoupPolygon> triangles;
-    if (is_warped(soup, polygon, tolerance)) {
+    const std::optional<double> warp = warp_of(soup, polygon, tolerance);
+    if (warp) {
       if (const auto plane = plane_of(soup.points, polygon, 0.0)) triangles = triangles_of(soup, polygon, *plane);
+      if (triangles.empty()) {
+        defects.leave("non-planar polygons", {polygon.source, soup.points[polygon.loops[0][0]], *warp},
+                      "its sides cross where it is seen along its mean normal");
+      }
     }
     if (triangles.empty()) {
       result.push_back(std::move(polygon));
       continue;
     }
     changed = true;
-    defects.add("non-planar polygons", polygon.source, soup.points[polygon.loops[0][0]]);
+    defects.add("non-planar polygons", {polygon.source, soup.points[polygon.loops[0][0]], *warp});
     for (SoupPolygon& triangle : triangles) result.push_back(std::move(triangle));
   }
   soup.polygons = std::move(result);

@@ -36,6 +36,13 @@ double distance_to_segment(const Point2& p, const PlanarOutline::Segment& s) {
 
 }  // namespace
 
+bool near_plane(const Box& box, const PlaneCoordinates& plane, double distance) {
+  const Vector half = 0.5 * box.size();
+  const Vector& w = plane.frame.w;
+  const double reach = half.x * std::abs(w.x) + half.y * std::abs(w.y) + half.z * std::abs(w.z);
+  return std::abs(plane.distance(box.centre())) <= reach + distance;
+}
+
 PlanarOutline::PlanarOutline(std::vector<Segment> segments)
     : segments_(std::move(segments)), tree_(boxes_of(segments_)) {}
 

@@ -28,6 +28,9 @@ struct PlaneCoordinates {
   [[nodiscard]] double distance(const Point& p) const { return dot(p - origin, frame.w); }
 };
 
+/// Whether a box comes within a distance of a plane; a negative one asks for boxes that reach as far beyond it on both sides [m].
+bool near_plane(const Box& box, const PlaneCoordinates& plane, double distance);
+
 /// Twice the signed area of a triangle, positive when counter-clockwise [m²].
 constexpr double doubled_area(const Point2& a, const Point2& b, const Point2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

@@ -2,10 +2,12 @@
 #include "mesh/polygon_defects.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
+#include "mesh/hash.h"
 #include "mesh/simple_loops.h"
 #include "mesh/t_junctions.h"
 
@@ -13,23 +15,39 @@ namespace clerestory::mesh {
 
 namespace {
 
+/// Corners this near to a line lie on it but for the rounding of coordinates of a few hundred metres [m].
+constexpr double kNoWidth = 1e-9;
+
 Point place_of(const Soup& soup, const SoupPolygon& polygon) {
   const bool nowhere = polygon.loops.empty() || polygon.loops.front().empty();
   return nowhere ? Point{} : soup.points[polygon.loops.front().front()];
 }
 
-bool is_degenerate(const std::vector<Point>& points, const std::vector<std::uint32_t>& loop, double tolerance) {
-  SoupPolygon alone;
-  alone.loops.push_back(loop);
-  return !plane_of(points, alone, tolerance);
+enum class Shape { kWide, kNeedle, kNothing };
+
+/// A needle's corners all lie so near to the line between the two farthest of them that splitting the edges there at the others
+/// makes the polygons on its two sides meet: it can go without a gap.
+Shape shape_of(const std::vector<Point>& points, const std::vector<std::uint32_t>& loop, double tolerance) {
+  if (loop.size() < 3) return Shape::kNothing;
+  const auto farthest_from = [&](const Point& p) {
+    return points[*std::max_element(loop.begin(), loop.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return norm(points[a] - p) < norm(points[b] - p);
+    })];
+  };
+  const Point a = farthest_from(points[loop[0]]);
+  const Vector axis = normalized(farthest_from(a) - a);
+  double width = 0.0;
+  for (const std::uint32_t corner : loop) width = std::max(width, norm(cross(points[corner] - a, axis)));
+  if (width > kOnEdgeShare * tolerance) return Shape::kWide;
+  return width > kNoWidth ? Shape::kNeedle : Shape::kNothing;
 }
 
 bool drop_degenerate_holes(const Soup& soup, SoupPolygon& polygon, double tolerance, DefectList& defects) {
   bool changed = false;
   for (std::size_t l = polygon.loops.size() - 1; l > 0; --l) {
-    if (!is_degenerate(soup.points, polygon.loops[l], tolerance)) continue;
+    if (shape_of(soup.points, polygon.loops[l], tolerance) == Shape::kWide) continue;
     const Point place = polygon.loops[l].empty() ? place_of(soup, polygon) : soup.points[polygon.loops[l][0]];
-    defects.add("degenerate holes", polygon.source, place);
+    defects.add("degenerate holes", {polygon.source, place});
     polygon.loops.erase(polygon.loops.begin() + static_cast<std::ptrdiff_t>(l));
     changed = true;
   }
@@ -43,13 +61,23 @@ std::vector<Edge> sorted_edges(const SoupPolygon& polygon) {
   return edges;
 }
 
+/// The same for the same edges in any order and direction.
+std::uint64_t hash_of_edges(const SoupPolygon& polygon) {
+  std::uint64_t sum = 0;
+  for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) {
+    const Edge edge = edge_between(a, b);
+    sum += hash(edge[0], edge[1]);
+  });
+  return sum;
+}
+
 }  // namespace
 
 bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects) {
   bool changed = false;
   std::erase_if(soup.polygons, [&](const SoupPolygon& polygon) {
     const bool empty = polygon.loops.empty() || polygon.loops.front().empty();
-    if (empty) defects.add("degenerate polygons", polygon.source, {});
+    if (empty) defects.add("degenerate polygons", {polygon.source, {}});
     changed = changed || empty;
     return empty;
   });
@@ -57,8 +85,10 @@ bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects) {
   std::vector<SoupPolygon> kept;
   kept.reserve(soup.polygons.size());
   for (SoupPolygon& polygon : soup.polygons) {
-    if (!plane_of(soup.points, polygon, tolerance)) {
-      defects.add("degenerate polygons", polygon.source, place_of(soup, polygon));
+    const Shape shape = polygon.loops.empty() ? Shape::kNothing : shape_of(soup.points, polygon.loops[0], tolerance);
+    if (shape != Shape::kWide || !plane_of(soup.points, polygon, 0.0)) {
+      defects.add(shape == Shape::kNeedle ? "needle polygons" : "degenerate polygons",
+                  {polygon.source, place_of(soup, polygon)});
       changed = true;
       continue;
     }
@@ -77,19 +107,28 @@ void drop_unusable(Soup& soup) {
 }
 
 void drop_duplicates(Soup& soup, const std::vector<std::string>& material_names, DefectList& defects) {
-  std::map<std::vector<Edge>, MaterialId> seen;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> seen;  // hash of the edges → index in kept
+  seen.reserve(soup.polygons.size());
   std::vector<SoupPolygon> kept;
   kept.reserve(soup.polygons.size());
   for (SoupPolygon& polygon : soup.polygons) {
-    const auto [first, fresh] = seen.try_emplace(sorted_edges(polygon), polygon.material);
-    if (fresh) {
+    const std::uint64_t key = hash_of_edges(polygon);
+    const SoupPolygon* twin = nullptr;
+    for (auto [i, end] = seen.equal_range(key); i != end && twin == nullptr; ++i) {
+      if (sorted_edges(kept[i->second]) == sorted_edges(polygon)) twin = &kept[i->second];
+    }
+    if (twin == nullptr) {
+      seen.emplace(key, static_cast<std::uint32_t>(kept.size()));
       kept.push_back(std::move(polygon));
-    } else if (first->second == polygon.material) {
-      defects.add("duplicate polygons", polygon.source, place_of(soup, polygon));
+      continue;
+    }
+    const DefectPlace place{polygon.source, place_of(soup, polygon), std::sqrt(area(soup.points, polygon))};
+    if (twin->material == polygon.material) {
+      defects.add("duplicate polygons", place);
     } else {
       defects.add(
-          "duplicate polygons of different material", polygon.source, place_of(soup, polygon),
-          material_names[first->second.index()] + " kept, " + material_names[polygon.material.index()] + " dropped");
+          "duplicate polygons of different material", place,
+          material_names[twin->material.index()] + " kept, " + material_names[polygon.material.index()] + " dropped");
     }
   }
   soup.polygons = std::move(kept);

@@ -7,8 +7,9 @@
 // Private to mesh/.
 namespace clerestory::mesh {
 
-/// Drops polygons and holes of fewer than three distinct corners or of no area (narrower than the tolerance [m]), after
-/// separate_loops(). Counts "degenerate polygons", "degenerate holes" and what separate_loops() counts.
+/// Drops polygons and holes of fewer than three distinct corners, of no area, or so narrow that splitting edges at the vertices on them
+/// closes what they leave (kOnEdgeShare of the tolerance [m]), after separate_loops(). Counts "degenerate polygons",
+/// "needle polygons", "degenerate holes" and what separate_loops() counts.
 /// @return whether anything changed
 bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects);
 

@@ -131,12 +131,12 @@ void append_simple(const Soup& soup, SoupPolygon polygon, DefectList& defects, s
   const std::optional<Plane> plane = more ? main_plane(soup.points, simple) : std::nullopt;
   if (!plane) {
     // What vanishes altogether is counted as degenerate by the caller.
-    if (!simple.empty()) defects.add("repeated corners", polygon.source, place);
+    if (!simple.empty()) defects.add("repeated corners", {polygon.source, place});
     polygon.loops = std::move(simple);
     result.push_back(std::move(polygon));
     return;
   }
-  defects.add("bridged loops", polygon.source, place);
+  defects.add("bridged loops", {polygon.source, place});
   for (SoupPolygon& own : nested_polygons(soup.points, polygon, std::move(simple), *plane)) {
     result.push_back(std::move(own));
   }

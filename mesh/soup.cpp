@@ -37,12 +37,19 @@ Soup to_soup(const Model& model) {
   return soup;
 }
 
-Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source) {
+void flip(SoupPolygon& polygon) {
+  for (std::vector<std::uint32_t>& loop : polygon.loops) std::reverse(loop.begin(), loop.end());
+  polygon.flipped = !polygon.flipped;
+}
+
+Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source,
+               std::vector<std::uint8_t>& flipped) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   Model model;
   model.material_names = names.material_names;
   model.part_names = names.part_names;
   source.clear();
+  flipped.clear();
   std::vector<std::uint32_t> index(soup.points.size(), kUnused);
   for (const SoupPolygon& polygon : soup.polygons) {
     for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t) { index[a] = 0; });
@@ -61,6 +68,7 @@ Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>&
       model.add_loop(corners);
     }
     source.push_back(polygon.source);
+    flipped.push_back(polygon.flipped ? 1 : 0);
   }
   return model;
 }

@@ -17,6 +17,8 @@ struct SoupPolygon {
   MaterialId material;
   PartId part;
   std::uint32_t source = 0;  ///< polygon of the model that it comes from
+  bool flipped = false;      ///< wound the other way round than the source
+  bool checked = false;      ///< for what it overlaps and crosses
   std::uint32_t line = 0;
 };
 
@@ -31,7 +33,12 @@ Soup to_soup(const Model& model);
 
 /// The soup as a model, points that no polygon uses left out; names are those of the given model.
 /// @param source  receives the source of each polygon
-Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source);
+/// @param flipped  receives whether each is wound the other way round than its source
+Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source,
+               std::vector<std::uint8_t>& flipped);
+
+/// Winds a polygon the other way round.
+void flip(SoupPolygon& polygon);
 
 /// Sum of cross products along a closed loop: twice its area times its normal [m²]. Newell's method.
 Vector newell(std::span<const Point> points, std::span<const std::uint32_t> loop);

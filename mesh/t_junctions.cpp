@@ -103,7 +103,7 @@ bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects) {
     for (const auto& [edge, polygon] : new_edges(soup, known)) {
       std::vector<std::uint32_t> inner = search.on(edge);
       if (inner.empty()) continue;
-      for (const std::uint32_t vertex : inner) defects.add("T-junctions", polygon->source, soup.points[vertex]);
+      for (const std::uint32_t vertex : inner) defects.add("T-junctions", {polygon->source, soup.points[vertex]});
       splits.emplace(edge, std::move(inner));
     }
     if (splits.empty()) break;

@@ -40,7 +40,7 @@ void weld(Soup& soup, double tolerance, DefectList& defects) {
     welded[i] = index.add(p);
     if (welded[i] == before) continue;
     const bool same = index[welded[i]] == p;
-    defects.add(same ? "duplicate vertices" : "near-duplicate vertices", user[i], p);
+    defects.add(same ? "duplicate vertices" : "near-duplicate vertices", {user[i], p, norm(index[welded[i]] - p)});
   }
   renumber(soup, welded);
   soup.points.assign(index.points().begin(), index.points().end());

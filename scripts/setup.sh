@@ -19,7 +19,6 @@ packages=(
   libgmock-dev
   libgtest-dev
   libifcplusplus-dev
-  libopenmesh-dev
   libtbb-dev
   libtomlplusplus-dev
   libvtk9-dev

@@ -18,7 +18,6 @@ SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later"
 # Library → (pattern of its includes, the folder that owns it).
 HEAVY = {
     "CGAL": (r"CGAL/", "mesh"),
-    "OpenMesh": (r"OpenMesh/", "mesh"),
     "Embree": (r"embree3/", "mesh"),
     "TBB": (r"(oneapi/)?tbb(/|\.h)", "lighting"),
     "VTK": (r"vtk\w*\.h", "io"),

@@ -204,7 +204,9 @@ TEST(Contacts, CoplanarFacesImprintEachOther) {
   Model model;
   support::add_quad(model, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {"floor", "floor"});
   support::add_quad(model, {1, 1, 0}, {5, 1, 0}, {5, 2, 0}, {1, 2, 0}, {"carpet", "carpet"});
-  const Faces faces = faces_from(model);
+  CleanOptions as_given;
+  as_given.repair = CleanOptions::Repair::kOff;
+  const Faces faces = build_faces(clean(model, as_given));
   EXPECT_EQ(region_count(faces.shape, only_face(faces, "floor")), 2U);
   EXPECT_EQ(region_count(faces.shape, only_face(faces, "carpet")), 2U);
   EXPECT_EQ(vertices_on_edges(faces), 0U);
