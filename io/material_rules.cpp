@@ -61,6 +61,11 @@ bool is_compound_of_glass(const std::string& word) {
 
 bool is_grey(const std::array<double, 3>& colour) { return colour[0] == colour[1] && colour[1] == colour[2]; }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string told(const std::vector<std::string>& names) { return (names.size() == 1 ? " " : "s ") + list_names(names); }
 
 }  // namespace
@@ -133,7 +138,7 @@ bool MaterialAssumptions::decide_glazing(const SourceMaterial& source, lighting:
     material.why = "named like glass";
   } else if (source.opacity.value_or(1.0) < kClearBelow) {
     transparent_.push_back(source.name);
-    material.why = "transparent in the MTL";
+    material.why = "transparent in the model's file";
   } else {
     return false;
   }
@@ -166,10 +171,11 @@ std::vector<std::string> MaterialAssumptions::sentences() const {
       "their sides reflect by orientation (up 0.2, down 0.7, vertical 0.5, outdoors 0.2)";
   add(fmt::format("Named like glass, and so glazing with a transmittance of {:.2f}", kGlassTransmittance),
       named_like_glass_);
-  add(fmt::format("Transparent in the MTL, and so glazing with a transmittance of {:.2f}", kGlassTransmittance),
+  add(fmt::format("Transparent in the model's file, and so glazing with a transmittance of {:.2f}",
+                  kGlassTransmittance),
       transparent_);
   add("Glazing with the transmittance that the file tells", told_glazing_);
-  for (const auto& [source, names] : told_by_) add(source + " was taken as diffuse reflectance", names);
+  for (const auto& [source, names] : told_by_) add(capitalised(source) + " was taken as diffuse reflectance", names);
   add("The specular reflectance joins the diffuse one", specular_);
   add(fmt::format(
           "The file gives reflectances outside 0 … {0:.2f} or transmittances over 1, which no real surface has; "

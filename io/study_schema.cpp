@@ -82,7 +82,8 @@ constexpr StudyKey kKeys[] = {
     {.path = "materials.*.reflectance",
      .type = kReflectance,
      .meaning = "The share of light that is reflected diffusely, one number or `[red, green, blue]`. Not given: the "
-                "MTL's Kd, else by orientation (up 0.2, down 0.7, vertical 0.5, outdoors 0.2).",
+                "model's own (an MTL's Kd, a Radiance plastic …), else by orientation (up 0.2, down 0.7, vertical 0.5, "
+                "outdoors 0.2).",
      .example = "0.5",
      .low = 0.0,
      .high = kMostReflectance},

@@ -45,9 +45,13 @@ TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
   assumed.decide(red, material);
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.6F, 0.3F, 0.2F));
   EXPECT_EQ(material.back.reflectance, material.front.reflectance);
+  red.told_by = "the base colour of the glTF";
   red.diffuse = {0.4, 0.4, 0.4};
   assumed.decide(red, material);
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.4F));
+  EXPECT_EQ(material.why, "the base colour of the glTF");
+  EXPECT_THAT(assumed.sentences(),
+              testing::Contains("The base colour of the glTF was taken as diffuse reflectance: material brick."));
 }
 
 TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
@@ -72,6 +76,7 @@ TEST(MaterialRules, WhatIsToldInPhotometricTermsCountsBeforeTheName) {
   EXPECT_FALSE(material.glazing.has_value());
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.5F));
   EXPECT_EQ(material.why, "the Radiance plastic");
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("What the file says in photometric terms was taken")));
   EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("joins the diffuse one: material window")));
 }
 
