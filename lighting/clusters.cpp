@@ -32,16 +32,24 @@ int direction_of(const mesh::Vector& n) {
 
 }  // namespace
 
-Clusters::Clusters(const mesh::ElementTree& tree) {
+Clusters::Clusters(const Scene& scene, const mesh::ElementTree& tree) {
   order_.assign(tree.roots().begin(), tree.roots().end());
+  const auto kind_of = [&](ElementId e) {
+    return direction_of(tree.normal(e)) + (scene.is_pane(tree.face_side(e)) ? kDirections : 0);
+  };
   // Surfaces that look the same way first: what a receiver sees of a cluster are those that face it, and they must shine as its mean
   // does. Bundles of fronts and backs would hand on the mean of lit and dark sides.
-  std::stable_sort(order_.begin(), order_.end(), [&](ElementId a, ElementId b) {
-    return direction_of(tree.normal(a)) < direction_of(tree.normal(b));
-  });
+  std::stable_sort(order_.begin(), order_.end(), [&](ElementId a, ElementId b) { return kind_of(a) < kind_of(b); });
+  for (const ElementId root : order_) kinds_.push_back(kind_of(root));
   if (!order_.empty()) build(tree, 0, static_cast<std::uint32_t>(order_.size()));
   area_before_.push_back(0.0);
   for (const ElementId root : order_) area_before_.push_back(area_before_.back() + tree.area(root));
+}
+
+std::vector<std::uint32_t> Clusters::tops() const {
+  if (nodes_.empty()) return {};
+  if (kinds_.front() < kDirections && kinds_.back() >= kDirections) return {left(0), right(0)};
+  return {0};
 }
 
 void Clusters::build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end) {
@@ -71,13 +79,13 @@ std::uint32_t Clusters::part(const mesh::ElementTree& tree, std::uint32_t begin,
                              const mesh::Vector& extent) {
   const auto first = order_.begin() + begin;
   const auto last = order_.begin() + end;
-  const int low = direction_of(tree.normal(*first));
-  const int high = direction_of(tree.normal(*(last - 1)));
+  const int low = kinds_[begin];
+  const int high = kinds_[end - 1];
   if (low != high) {
-    // Still sorted by direction: half of the directions to either side.
-    const int cut = (low + high + 1) / 2;
-    const auto found = std::find_if(first, last, [&](ElementId e) { return direction_of(tree.normal(e)) >= cut; });
-    return static_cast<std::uint32_t>(found - order_.begin());
+    // Still sorted by kind: panes to one side, or else half of the directions to either.
+    const int cut = low < kDirections && high >= kDirections ? kDirections : (low + high + 1) / 2;
+    const auto found = std::lower_bound(kinds_.begin() + begin, kinds_.begin() + end, cut);
+    return static_cast<std::uint32_t>(found - kinds_.begin());
   }
   const auto along = [&](ElementId e) {
     const Point& c = tree.centroid(e);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "lighting/light_paths.h"
@@ -15,6 +14,7 @@
 #include "lighting/parallel.h"
 #include "lighting/point_light.h"
 #include "lighting/sampling.h"
+#include "lighting/seen_surfaces.h"
 #include "mesh/hash.h"
 
 namespace clerestory::lighting {
@@ -42,12 +42,6 @@ constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown 
 /// Stands for the sky seen through no opening, where an opening's number is asked for.
 constexpr std::int32_t kOpenSky = -1;
 
-/// A surface seen through an opening.
-struct SeenBeyond {
-  SurfacePoint point;
-  float factor = 0.0F;
-};
-
 struct Candidate {
   ElementId node;
   std::vector<std::uint32_t> openings;  ///< those that may be seen
@@ -69,14 +63,14 @@ struct Measurement {
   double received = 0.0;  ///< [lux]
   double total = 0.0;
   double noise = 0.0;  ///< standard error of total [lux]
-  std::vector<SeenBeyond> beyond;
+  std::vector<SeenSurface> beyond;
 };
 
 /// Adds up what rays from a node end on.
 struct Collector {
   const Scene* scene;
   bool surfaces_count = false;
-  std::vector<SeenBeyond>* beyond = nullptr;  ///< where asked for
+  std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
   double sky_lux = 0.0;
   double guess_lux = 0.0;
 
@@ -91,6 +85,13 @@ struct Collector {
     sky_lux += weight * std::numbers::pi * sky_luminance(scene->sky, direction);
   }
 };
+
+/// What a node sees of the sky in panes comes by links that follow the mirrors; what it sees through an opening, mirrors
+/// outdoors included, by the opening's rays.
+PathRule rule_of(std::int32_t opening) {
+  if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
+  return {PathRule::Part::kOpening, opening, true};
+}
 
 double reflectance_of(const Solution& solution, ElementId e) {
   const Scene& scene = solution.scene();
@@ -247,7 +248,7 @@ void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
       Collector collector{&scene(), true};
       follow(scene(), places.lifted[i], s.direction, 1.0F,
-             PathRule{PathRule::Part::kOpening, static_cast<std::int32_t>(k), false}, collector);
+             rule_of(static_cast<std::int32_t>(k)), collector);
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
       places.samples[i].value += lux;
       result.received += weight * collector.sky_lux / kPoints;
@@ -263,7 +264,7 @@ void NodeSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, Sur
     for (std::uint32_t j = 0; j < kDirections; ++j) {
       const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
       Collector collector{&scene()};
-      follow(scene(), places.lifted[i], d, 1.0F, PathRule{PathRule::Part::kGather, -1, false}, collector);
+      follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
       places.samples[i].value += collector.sky_lux / kDirections;
       result.received += collector.sky_lux / (kDirections * kPoints);
       result.total += collector.sky_lux / (kDirections * kPoints);
@@ -272,18 +273,13 @@ void NodeSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, Sur
 }
 
 void NodeSampler::survey_point_sources(ElementId e, Places& places, Survey& result) const {
+  if (scene().point_sources.empty()) return;
   const Vector& normal = solution_.tree().normal(e);
-  for (const PointSource& source : scene().point_sources) {
-    std::array<mesh::Segment, kPoints> segments;
-    std::array<float, kPoints> passed{};
-    for (std::uint32_t i = 0; i < kPoints; ++i) segments[i] = {places.lifted[i], source.at};
-    scene().rays->transmittance(segments, passed);
-    for (std::uint32_t i = 0; i < kPoints; ++i) {
-      const double lux = passed[i] * point_illuminance(source, places.lifted[i], normal);
-      places.samples[i].value += lux;
-      result.received += lux / kPoints;
-      result.total += lux / kPoints;
-    }
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const double lux = point_source_illuminance(scene(), places.lifted[i], normal);
+    places.samples[i].value += lux;
+    result.received += lux / kPoints;
+    result.total += lux / kPoints;
   }
 }
 
@@ -304,10 +300,6 @@ NodeSampler::Start NodeSampler::start(ElementId e, std::int32_t opening, const S
   ray.direction = s.direction;
   ray.weight = s.solid_angle_sr * std::max(0.0, dot(s.direction, normal)) / std::numbers::pi;
   return ray;
-}
-
-PathRule rule_of(std::int32_t opening) {
-  return {opening == kOpenSky ? PathRule::Part::kGather : PathRule::Part::kOpening, opening, false};
 }
 
 bool NodeSampler::sees(ElementId e, std::int32_t opening) const {
@@ -352,65 +344,28 @@ double NodeSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t
 
 double NodeSampler::point_source_mean(ElementId e) const {
   constexpr std::uint32_t kPlaces = 32;
+  if (scene().point_sources.empty()) return 0.0;
   const mesh::ElementTree& tree = solution_.tree();
   const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
   double sum = 0.0;
-  for (const PointSource& source : scene().point_sources) {
-    for (std::uint32_t i = 0; i < kPlaces; ++i) {
-      const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-      const mesh::Segment segment{at, source.at};
-      float passed = 0.0F;
-      scene().rays->transmittance({&segment, 1}, {&passed, 1});
-      sum += passed * point_illuminance(source, at, tree.normal(e)) / kPlaces;
-    }
+  for (std::uint32_t i = 0; i < kPlaces; ++i) {
+    const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
+    sum += point_source_illuminance(scene(), at, tree.normal(e)) / kPlaces;
   }
   return sum;
 }
 
-/// Opening links of one node, one a source element, in the order of their ids. Where on the source the rays end, makes the link
-/// follow the line of its radiosity.
-void add_links(const Solution& solution, ElementId receiver, const Survey& survey, const Measurement& measured,
-               std::vector<Link>& links) {
-  const mesh::ElementTree& tree = solution.tree();
-  struct Sum {
-    double factor = 0.0;
-    double u = 0.0;
-    double v = 0.0;
-  };
-  std::map<std::uint32_t, Sum> sums;
-  for (const SeenBeyond& seen : measured.beyond) {
-    const ElementId source = solution.element_at(seen.point.side, seen.point.region, seen.point.at);
-    if (!source.valid()) continue;
-    const Vector d = seen.point.at - tree.centroid(source);
-    Sum& sum = sums[source.value];
-    sum.factor += seen.factor;
-    sum.u += seen.factor * dot(d, tree.axes(source).u);
-    sum.v += seen.factor * dot(d, tree.axes(source).v);
-  }
-  // Light through openings changes over the node as the sum of it does.
-  const double slope = survey.total > 0.0 ? 1.0 / survey.total : 0.0;
-  for (const auto& [source, sum] : sums) {
-    Link link;
-    link.receiver = receiver;
-    link.source = LinkSource::element(ElementId(source));
-    link.factor = static_cast<float>(sum.factor);
-    link.slope_u = static_cast<float>(sum.factor * slope * survey.fit.line.slope_u);
-    link.slope_v = static_cast<float>(sum.factor * slope * survey.fit.line.slope_v);
-    const mesh::SecondMoments& area = tree.second_moments(ElementId(source));
-    const double determinant = area.uu * area.vv - area.uv * area.uv;
-    link.moment_u = static_cast<float>((sum.u * area.vv - sum.v * area.uv) / determinant);
-    link.moment_v = static_cast<float>((sum.v * area.uu - sum.u * area.uv) / determinant);
-    links.push_back(link);
-  }
+/// Of the illuminance over a node, per unit of its mean [1/m].
+LinearValue relative_slope(const Survey& survey) {
+  if (survey.total <= 0.0) return {1.0F, 0.0F, 0.0F};
+  return {1.0F, static_cast<float>(survey.fit.line.slope_u / survey.total),
+          static_cast<float>(survey.fit.line.slope_v / survey.total)};
 }
 
 void accept(Solution& solution, ElementId e, const Survey& survey, const Measurement& measured) {
-  const double slope = survey.total > 0.0 ? measured.received / survey.total : 0.0;
-  for (LinearValue& v : solution.direct(e)) {
-    v.value = static_cast<float>(measured.received);
-    v.slope_u = static_cast<float>(slope * survey.fit.line.slope_u);
-    v.slope_v = static_cast<float>(slope * survey.fit.line.slope_v);
-  }
+  const LinearValue slope = relative_slope(survey);
+  const auto received = static_cast<float>(measured.received);
+  for (LinearValue& v : solution.direct(e)) v = {received, received * slope.slope_u, received * slope.slope_v};
   solution.add_error(e, survey.fit.residual * survey.fit.residual + measured.noise * measured.noise);
 }
 
@@ -458,7 +413,10 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   parallel_for(accepted.size(), [&](std::size_t i) { measured[i] = sampler.measure(accepted[i]); });
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     accept(solution, accepted[i].below.node, accepted[i], measured[i]);
-    add_links(solution, accepted[i].below.node, accepted[i], measured[i], result.links);
+    // Light through openings changes over the node as the sum of it does.
+    const std::vector<Link> links =
+        links_to_seen(solution, accepted[i].below.node, measured[i].beyond, relative_slope(accepted[i]));
+    result.links.insert(result.links.end(), links.begin(), links.end());
   }
   progress.advance(1.0);
   return result;

@@ -28,9 +28,7 @@ struct Landing {
   void sky(const Vector&, float) {}
 };
 
-bool is_pane(const Solution& solution, ElementId e) {
-  return solution.scene().passable[solution.tree().face_side(e).face.index()] != 0;
-}
+bool is_pane(const Solution& solution, ElementId e) { return solution.scene().is_pane(solution.tree().face_side(e)); }
 
 double mean_direct(Solution& solution, ElementId e) {
   // What is given at a node or above it; slopes do not change means of nodes, but they do those of their parts.
@@ -80,7 +78,7 @@ Measured measure(const Solution& solution, const std::vector<ElementId>& element
       const Point at = tree.sample(e, points.at(i, 0), points.at(i, 1)) + scene.rays->offset_m() * normal;
       Landing landing;
       follow(scene, at, cosine_direction(tree.axes(e), points.at(i, 2), points.at(i, 3)), 1.0F,
-             PathRule{PathRule::Part::kAll, -1, false}, landing);
+             PathRule{PathRule::Part::kAll, -1, true}, landing);
       batches[b].landed += landing.share / kRays;
       batches[b].factors += factor_sums[n] / kRays;
     }
@@ -122,7 +120,6 @@ std::vector<double> factor_sums(const Solution& solution, const std::vector<Link
   std::vector<Vector> slopes(tree.size());
   std::vector<double> sums(tree.size(), 0.0);
   for (const Link& link : links) {
-    if (!link.source.is_cluster() && is_pane(solution, link.source.element())) continue;
     sums[link.receiver.index()] += link.factor;
     slopes[link.receiver.index()] = slopes[link.receiver.index()] + Vector{link.slope_u, link.slope_v, 0.0};
   }
@@ -147,15 +144,13 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
   EnergyBalance balance;
   const std::vector<ElementId> elements = solution.elements();
   std::vector<double> flux_before{0.0};
-  double sent_by_panes = 0.0;
   for (const ElementId e : elements) {
     const double area = tree.area(e);
-    const double sent = area * solution.radiosity_mean(e);
+    // What panes mirror is still on its way from the surfaces that sent it.
+    const bool pane = is_pane(solution, e);
+    const double sent = pane ? 0.0 : area * solution.radiosity_mean(e);
     flux_before.push_back(flux_before.back() + std::max(0.0, sent));
-    if (is_pane(solution, e)) {
-      sent_by_panes += sent;
-      continue;
-    }
+    if (pane) continue;
     const double own = luminance(scene.side_exitance(tree.face_side(e)), scene.channel_weights);
     balance.emitted_lm += area * own;
     balance.received_lm += area * mean_direct(solution, e);
@@ -166,7 +161,7 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
   if (sent > 0.0) {
     const Measured measured =
         measure(solution, elements, flux_before, factor_sums(solution, transport.links, elements), seed);
-    balance.left_lm = sent * (1.0 - measured.landed) - sent_by_panes;
+    balance.left_lm = sent * (1.0 - measured.landed);
     balance.closure = std::abs(measured.factors - measured.landed);
   }
   balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;

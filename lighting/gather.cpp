@@ -147,12 +147,7 @@ class Gatherer {
   [[nodiscard]] SensorState begin(std::size_t sensor, const Point& at, const Vector& normal) const {
     SensorState state;
     for (std::uint32_t k = 0; k < emitters_.size(); ++k) see_emitter(k, sensor, at, normal, state);
-    for (const PointSource& source : scene().point_sources) {
-      float passed = 0.0F;
-      const mesh::Segment segment{at, source.at};
-      scene().rays->transmittance({&segment, 1}, {&passed, 1});
-      state.exact_lux += passed * point_illuminance(source, at, normal);
-    }
+    state.exact_lux += point_source_illuminance(scene(), at, normal);
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) {
       if (!faces_opening(scene().openings[k], at, normal)) continue;
       Part part;

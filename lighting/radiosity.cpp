@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "lighting/linker.h"
+#include "lighting/mirror_links.h"
 #include "lighting/parallel.h"
 
 namespace clerestory::lighting {
@@ -32,14 +33,16 @@ class Solver {
         scale_lux_(direct.scale_lux),
         accuracy_(accuracy),
         seed_(seed),
-        clusters_(solution.tree()) {}
+        clusters_(solution.scene(), solution.tree()) {}
 
   Transport run(double tolerance, Progress& progress) {
     progress.phase("linking");
     solution_.push_pull();
     clusters_.pull(solution_);
     std::vector<LinkCandidate> start;
-    for (const ElementId root : solution_.tree().roots()) start.push_back({root, source_of(0), Visibility::kPartial});
+    for (const ElementId root : solution_.tree().roots()) {
+      for (const std::uint32_t top : clusters_.tops()) start.push_back({root, source_of(top), Visibility::kPartial});
+    }
     for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
       const Linker linker(solution_, clusters_, importance_, kPasses[pass] * tolerance * scale_lux_, seed_);
       if (pass > 0) start = reopen(linker);
@@ -48,6 +51,8 @@ class Solver {
       iterate();
       progress.advance(static_cast<double>(pass + 1) / kPasses.size());
     }
+    see_mirrors();
+    iterate();
     add_errors();
     return {std::move(all_), std::move(clusters_), iterations_, convergence_};
   }
@@ -124,6 +129,28 @@ class Solver {
     all_.insert(all_.end(), opening_links_.begin(), opening_links_.end());
     std::stable_sort(all_.begin(), all_.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
     starts_ = starts_of(all_);
+  }
+
+  /// Up to here panes stood in for what they mirror, as diffuse surfaces; from here on it is seen in them.
+  void see_mirrors() {
+    const auto to_pane = std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
+    const MirroredLight mirrored =
+        follow_mirrors(solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()), seed_);
+    links_.erase(to_pane, links_.end());
+    links_.insert(links_.end(), mirrored.links.begin(), mirrored.links.end());
+    for (const MirroredLight::FromSky& sky : mirrored.sky) {
+      for (LinearValue& direct : solution_.direct(sky.receiver)) {
+        direct.value += sky.lux.value;
+        direct.slope_u += sky.lux.slope_u;
+        direct.slope_v += sky.lux.slope_v;
+      }
+    }
+    sort_links();
+  }
+
+  [[nodiscard]] bool is_mirror(const Link& link) const {
+    if (link.source.is_cluster()) return clusters_.is_of_panes(link.source.cluster());
+    return solution_.scene().is_pane(solution_.tree().face_side(link.source.element()));
   }
 
   /// Where the links of each receiver begin; the links are sorted.

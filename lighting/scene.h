@@ -58,6 +58,8 @@ struct Scene {
   [[nodiscard]] std::span<const float> side_exitance(mesh::FaceSide s) const {
     return std::span(exitance).subspan(s.index() * channels, channels);
   }
+  /// Whether a side is glass, and so a mirror.
+  [[nodiscard]] bool is_pane(mesh::FaceSide s) const { return glazing_of[s.face.index()] >= 0; }
   [[nodiscard]] bool has_sky() const { return sky.type != Sky::Type::kNone && sky.horizontal_illuminance_lux > 0.0; }
   [[nodiscard]] bool shines(mesh::FaceSide s) const {
     for (const float m : side_exitance(s)) {

@@ -235,6 +235,21 @@ std::size_t ElementTree::hull(ElementId e, std::array<Point, 4>& corners) const 
   return 4;
 }
 
+std::vector<std::array<Point, 3>> ElementTree::triangles(ElementId e) const {
+  std::vector<std::array<Point, 3>> found;
+  std::vector<ElementId> waiting{e};
+  while (!waiting.empty()) {
+    const ElementId next = waiting.back();
+    waiting.pop_back();
+    if (is_triangle(next)) {
+      found.push_back(corners(next));
+      continue;
+    }
+    for (std::size_t k = 0; k < child_count(next); ++k) waiting.emplace_back(first_child(next).index() + k);
+  }
+  return found;
+}
+
 Point ElementTree::sample(ElementId e, double a, double b) const {
   const Node* n = &node(e);
   // Down the groups: the first coordinate chooses the child by area and is stretched again.

@@ -63,6 +63,8 @@ class ElementTree {
   [[nodiscard]] bool is_triangle(ElementId e) const { return node(e).triangle; }
   /// Corners of a triangle node, counter-clockwise seen from its side.
   [[nodiscard]] std::array<Point, 3> corners(ElementId e) const;
+  /// The triangles that a node consists of: itself, or the start triangles of a group.
+  [[nodiscard]] std::vector<std::array<Point, 3>> triangles(ElementId e) const;
   /// Outline of any node; `scratch` backs the answer where it is not stored.
   [[nodiscard]] std::span<const OutlineEdge> outline(ElementId e, std::array<OutlineEdge, 3>& scratch) const;
   /// A convex set of corners in the plane that holds the node: 3 for a triangle, a rectangle for a group. Returns the count.
