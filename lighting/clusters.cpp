@@ -35,21 +35,35 @@ int direction_of(const mesh::Vector& n) {
 Clusters::Clusters(const Scene& scene, const mesh::ElementTree& tree) {
   order_.assign(tree.roots().begin(), tree.roots().end());
   const auto kind_of = [&](ElementId e) {
-    return direction_of(tree.normal(e)) + (scene.is_pane(tree.face_side(e)) ? kDirections : 0);
+    const mesh::FaceSide side = tree.face_side(e);
+    const Kind kind = scene.is_pane(side) ? Kind::kPanes : (scene.shines(side) ? Kind::kShining : Kind::kPlain);
+    return direction_of(tree.normal(e)) + kDirections * static_cast<int>(kind);
   };
   // Surfaces that look the same way first: what a receiver sees of a cluster are those that face it, and they must shine as its mean
   // does. Bundles of fronts and backs would hand on the mean of lit and dark sides.
   std::stable_sort(order_.begin(), order_.end(), [&](ElementId a, ElementId b) { return kind_of(a) < kind_of(b); });
-  for (const ElementId root : order_) kinds_.push_back(kind_of(root));
+  for (const ElementId root : order_) order_kind_.push_back(kind_of(root));
   if (!order_.empty()) build(tree, 0, static_cast<std::uint32_t>(order_.size()));
   area_before_.push_back(0.0);
   for (const ElementId root : order_) area_before_.push_back(area_before_.back() + tree.area(root));
 }
 
 std::vector<std::uint32_t> Clusters::tops() const {
-  if (nodes_.empty()) return {};
-  if (kinds_.front() < kDirections && kinds_.back() >= kDirections) return {left(0), right(0)};
-  return {0};
+  std::vector<std::uint32_t> found;
+  if (nodes_.empty()) return found;
+  std::vector<std::uint32_t> waiting{0};
+  while (!waiting.empty()) {
+    const std::uint32_t c = waiting.back();
+    waiting.pop_back();
+    const auto& node = nodes_[c];
+    if (order_kind_[node.begin] / kDirections == order_kind_[node.begin + node.count - 1] / kDirections) {
+      found.push_back(c);
+    } else {
+      waiting.push_back(right(c));
+      waiting.push_back(left(c));
+    }
+  }
+  return found;
 }
 
 void Clusters::build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end) {
@@ -79,13 +93,14 @@ std::uint32_t Clusters::part(const mesh::ElementTree& tree, std::uint32_t begin,
                              const mesh::Vector& extent) {
   const auto first = order_.begin() + begin;
   const auto last = order_.begin() + end;
-  const int low = kinds_[begin];
-  const int high = kinds_[end - 1];
+  const int low = order_kind_[begin];
+  const int high = order_kind_[end - 1];
   if (low != high) {
-    // Still sorted by kind: panes to one side, or else half of the directions to either.
-    const int cut = low < kDirections && high >= kDirections ? kDirections : (low + high + 1) / 2;
-    const auto found = std::lower_bound(kinds_.begin() + begin, kinds_.begin() + end, cut);
-    return static_cast<std::uint32_t>(found - kinds_.begin());
+    // Still sorted: one kind to one side, or else half of the directions to either.
+    const int last_kind = high / kDirections;
+    const int cut = low / kDirections != last_kind ? last_kind * kDirections : (low + high + 1) / 2;
+    const auto found = std::lower_bound(order_kind_.begin() + begin, order_kind_.begin() + end, cut);
+    return static_cast<std::uint32_t>(found - order_kind_.begin());
   }
   const auto along = [&](ElementId e) {
     const Point& c = tree.centroid(e);

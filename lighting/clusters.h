@@ -18,7 +18,7 @@ struct ClusterPoint {
 
 /// A binary tree of clusters over the roots of the element tree: bundles of surfaces that send light as one source to receivers
 /// for which their detail does not matter [Smits, Arvo, Greenberg 1994; Sillion 1995]. Surfaces that look the same way are bundled
-/// first, neighbours next; panes, which mirror, are bundled apart from all else. Leaves hold one root each.
+/// first, neighbours next; panes, which mirror, and surfaces that shine by themselves are bundled apart from all else. Leaves hold one root each.
 class Clusters {
  public:
   Clusters(const Scene& scene, const mesh::ElementTree& tree);
@@ -28,10 +28,11 @@ class Clusters {
   [[nodiscard]] bool is_leaf(std::uint32_t c) const { return nodes_[c].count == 1; }
   [[nodiscard]] std::uint32_t left(std::uint32_t c) const { return c + 1; }
   [[nodiscard]] std::uint32_t right(std::uint32_t c) const { return nodes_[c].right; }
-  /// The biggest clusters that hold panes alone, or no panes: at most two.
+  enum class Kind { kPlain, kPanes, kShining };
+  /// The biggest clusters of one kind each.
   [[nodiscard]] std::vector<std::uint32_t> tops() const;
-  /// Whether all of a cluster is glass; a cluster of one of the tops is, or has none.
-  [[nodiscard]] bool is_of_panes(std::uint32_t c) const { return kinds_[nodes_[c].begin] >= kDirections; }
+  /// Of a cluster that one of the tops holds.
+  [[nodiscard]] Kind kind(std::uint32_t c) const { return static_cast<Kind>(order_kind_[nodes_[c].begin] / kDirections); }
   /// The root of a leaf.
   [[nodiscard]] mesh::ElementId root(std::uint32_t c) const { return order_[nodes_[c].begin]; }
   [[nodiscard]] double area(std::uint32_t c) const { return nodes_[c].area; }
@@ -70,7 +71,7 @@ class Clusters {
 
   std::vector<Node> nodes_;  ///< parents before children, the left child next to its parent
   std::vector<mesh::ElementId> order_;
-  std::vector<int> kinds_;  ///< [roots, as in order_] direction, and kDirections more for panes
+  std::vector<int> order_kind_;  ///< [roots, as in order_] direction + kind · kDirections
   std::vector<double> area_before_;  ///< [roots + 1] of all roots ahead in order_
   std::size_t channels_ = 1;
   std::vector<float> radiosity_;

@@ -81,7 +81,7 @@ struct Collector {
     const float own = luminance(scene->side_exitance(seen.side), scene->channel_weights);
     guess_lux += weight * (own + rho * kBeyondGuess * scene->sky.horizontal_illuminance_lux);
   }
-  void sky(const Vector& direction, float weight) {
+  void sky(const Vector& direction, float weight, bool) {
     sky_lux += weight * std::numbers::pi * sky_luminance(scene->sky, direction);
   }
 };

@@ -25,7 +25,7 @@ constexpr std::uint32_t kRays = 1U << 16U;
 struct Landing {
   double share = 0.0;
   void surface(const SurfacePoint&, float weight, bool) { share += weight; }
-  void sky(const Vector&, float) {}
+  void sky(const Vector&, float, bool) {}
 };
 
 bool is_pane(const Solution& solution, ElementId e) { return solution.scene().is_pane(solution.tree().face_side(e)); }
@@ -98,7 +98,7 @@ double reciprocity(const Solution& solution, const std::vector<Link>& links) {
   double differs = 0.0;
   double all = 0.0;
   for (const Link& link : links) {
-    if (link.source.is_cluster()) continue;
+    if (link.source.is_cluster() || link.by_rays) continue;
     const std::uint32_t r = link.receiver.value;
     const std::uint32_t s = link.source.element().value;
     const double g = tree.area(link.receiver) * link.factor;

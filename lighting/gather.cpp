@@ -122,7 +122,7 @@ struct Looker {
     lux += static_cast<double>(weight) * b;
     if (met != nullptr) met->emplace_back(e.value, weight);
   }
-  void sky(const Vector& direction, float weight) {
+  void sky(const Vector& direction, float weight, bool) {
     lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };

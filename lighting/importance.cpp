@@ -56,20 +56,8 @@ struct LastSurface {
     point = p;
     weight = w;
   }
-  void sky(const Vector& direction, float w) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
+  void sky(const Vector& direction, float w, bool) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
 };
-
-/// Illuminance by all point sources that can be seen [lux].
-double by_point_sources(const Scene& scene, const Point& at, const Vector& normal) {
-  double lux = 0.0;
-  for (const PointSource& source : scene.point_sources) {
-    float passed = 0.0F;
-    const mesh::Segment segment{at, source.at};
-    scene.rays->transmittance({&segment, 1}, {&passed, 1});
-    lux += passed * point_illuminance(source, at, normal);
-  }
-  return lux;
-}
 
 Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint32_t walks,
             std::uint64_t seed) {
@@ -84,7 +72,7 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
       const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
       LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
-      walked.lux += weight * (seen.sky_lux + by_point_sources(scene, at, facing));
+      walked.lux += weight * (seen.sky_lux + point_source_illuminance(scene, at, facing));
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;
       const ElementId node = solution.tree().find(seen.point.side, seen.point.region, seen.point.at);

@@ -31,7 +31,8 @@ inline constexpr float kLeastWeight = 1e-4F;
 inline constexpr int kMostPanes = 16;
 
 /// Follows a ray backwards through panes to what it sees. The visitor gets
-///   surface(const SurfacePoint&, float weight, bool with_emission)  and  sky(const Vector& direction, float weight).
+///   surface(const SurfacePoint&, float weight, bool beyond)  and  sky(const Vector& direction, float weight, bool beyond),
+/// where `beyond` tells that the path has left the part that it began with, by an opening or a mirror: emission counts there.
 /// @param direction  of unit length
 template <class Visitor>
 void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& direction, float weight, PathRule rule,
@@ -41,7 +42,7 @@ void follow(const Scene& scene, mesh::Point origin, const mesh::Vector& directio
   for (; panes < kMostPanes && weight > least; ++panes) {
     const mesh::Hit hit = scene.rays->first_hit({origin, direction});
     if (!hit.face.valid()) {
-      if (rule.part != Part::kOpening && scene.has_sky()) visitor.sky(direction, weight);
+      if (rule.part != Part::kOpening && scene.has_sky()) visitor.sky(direction, weight, rule.part == Part::kAll);
       return;
     }
     const std::size_t f = hit.face.index();

@@ -40,7 +40,8 @@ struct Link {
   float moment_v = 0.0F;
   float error = 0.0F;  ///< of the factor over the receiver: what the line misses, and the noise of the visibility
   mesh::Visibility visibility = mesh::Visibility::kPartial;
-  bool rough = false;  ///< made of a few rays, because it could not matter with the light there was
+  bool by_rays = false;  ///< what rays of the receiver ended on, not an estimate of the pair
+  bool rough = false;    ///< made of a few rays, because it could not matter with the light there was
 };
 
 }  // namespace clerestory::lighting

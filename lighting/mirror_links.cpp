@@ -41,7 +41,7 @@ struct Collector {
   Reflections* into;
 
   void surface(const SurfacePoint& point, float weight, bool) { into->seen.push_back({point, weight}); }
-  void sky(const Vector& direction, float weight) {
+  void sky(const Vector& direction, float weight, bool) {
     into->sky_lux += weight * std::numbers::pi * sky_luminance(scene->sky, direction);
   }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "lighting/hemisphere_links.h"
 #include "lighting/linker.h"
 #include "lighting/mirror_links.h"
 #include "lighting/parallel.h"
@@ -21,30 +22,32 @@ namespace {
 constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
 /// Iterations cost next to nothing beside links: they go on until what is missing is this share of the accuracy.
 constexpr double kConverged = 1e-3;
+/// What a node sees by rays: what most surfaces receive, in terms of the mean at the sensors, and how far single rays differ from it.
+constexpr double kBrightness = 2.0;
+constexpr double kSpread = 0.7;
+constexpr std::uint32_t kLooks = 32;
+constexpr std::uint32_t kMostLooks = 128;
 /// No closed scene of reflectance under 0.99 needs as many.
 constexpr std::size_t kMostIterations = 5000;
 
 class Solver {
  public:
-  Solver(Solution& solution, const Importance& importance, DirectLight direct, double accuracy, std::uint64_t seed)
+  Solver(Solution& solution, const Importance& importance, DirectLight direct, const SolveOptions& options)
       : solution_(solution),
         importance_(importance),
         opening_links_(std::move(direct.links)),
         scale_lux_(direct.scale_lux),
-        accuracy_(accuracy),
-        seed_(seed),
+        options_(options),
         clusters_(solution.scene(), solution.tree()) {}
 
-  Transport run(double tolerance, Progress& progress) {
+  Transport run(Progress& progress) {
     progress.phase("linking");
     solution_.push_pull();
     clusters_.pull(solution_);
-    std::vector<LinkCandidate> start;
-    for (const ElementId root : solution_.tree().roots()) {
-      for (const std::uint32_t top : clusters_.tops()) start.push_back({root, source_of(top), Visibility::kPartial});
-    }
+    std::vector<LinkCandidate> start = begin();
     for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
-      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * tolerance * scale_lux_, seed_);
+      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * options_.link_tolerance * scale_lux_,
+                          options_.seed);
       if (pass > 0) start = reopen(linker);
       refine(linker, std::move(start));
       sort_links();
@@ -58,6 +61,45 @@ class Solver {
   }
 
  private:
+  /// A root that looks around by rays, for all that does not shine by itself.
+  struct Looker {
+    ElementId root;
+    HemisphereView view;
+  };
+
+  /// Parts the roots in those that look around by rays and those that link to what surrounds them, and gives the links to begin with.
+  std::vector<LinkCandidate> begin() {
+    const auto roots = solution_.tree().roots();
+    std::vector<HemisphereView> views(roots.size());
+    parallel_for(roots.size(), [&](std::size_t i) { views[i] = look(roots[i]); });
+    std::vector<LinkCandidate> start;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      const bool looks = views[i].rays > 0;
+      if (looks) {
+        for (LinearValue& direct : solution_.direct(roots[i])) direct.value += static_cast<float>(views[i].mirrored_sky_lux);
+        lookers_.push_back({roots[i], std::move(views[i])});
+      }
+      for (const std::uint32_t top : clusters_.tops()) {
+        if (!looks || clusters_.kind(top) == Clusters::Kind::kShining)
+          start.push_back({roots[i], source_of(top), Visibility::kPartial});
+      }
+    }
+    return start;
+  }
+
+  /// What a root sees by rays: nothing where so many rays would be needed, or where it matters so much how light changes over it, that links
+  /// serve better.
+  [[nodiscard]] HemisphereView look(ElementId root) const {
+    const double goal = options_.node_tolerance * scale_lux_;
+    const Scene& scene = solution_.scene();
+    const double rho = luminance(scene.side_reflectance(solution_.tree().face_side(root)), scene.channel_weights);
+    const double lit = rho * kBrightness * scale_lux_;
+    if (lit * importance_.uneven(root) > goal) return {};
+    const double rays = std::pow(kSpread * lit * importance_.of(solution_.tree(), root) / goal, 2.0);
+    if (rays > kMostLooks) return {};
+    return look_around(solution_, root, rays > kLooks ? kMostLooks : kLooks, options_.seed);
+  }
+
   [[nodiscard]] LinkSource source_of(std::uint32_t cluster) const {
     return clusters_.is_leaf(cluster) ? LinkSource::element(clusters_.root(cluster)) : LinkSource::cluster(cluster);
   }
@@ -123,10 +165,14 @@ class Solver {
     }
   }
 
-  /// Ordinary and openings' links in one list, by receiver.
+  /// Links of all sorts in one list, by receiver.
   void sort_links() {
     all_ = links_;
     all_.insert(all_.end(), opening_links_.begin(), opening_links_.end());
+    for (const Looker& looker : lookers_) {
+      const std::vector<Link> links = links_to_seen(solution_, looker.root, looker.view.seen, {});
+      all_.insert(all_.end(), links.begin(), links.end());
+    }
     std::stable_sort(all_.begin(), all_.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
     starts_ = starts_of(all_);
   }
@@ -135,7 +181,7 @@ class Solver {
   void see_mirrors() {
     const auto to_pane = std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
     const MirroredLight mirrored =
-        follow_mirrors(solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()), seed_);
+        follow_mirrors(solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()), options_.seed);
     links_.erase(to_pane, links_.end());
     links_.insert(links_.end(), mirrored.links.begin(), mirrored.links.end());
     for (const MirroredLight::FromSky& sky : mirrored.sky) {
@@ -149,7 +195,7 @@ class Solver {
   }
 
   [[nodiscard]] bool is_mirror(const Link& link) const {
-    if (link.source.is_cluster()) return clusters_.is_of_panes(link.source.cluster());
+    if (link.source.is_cluster()) return clusters_.kind(link.source.cluster()) == Clusters::Kind::kPanes;
     return solution_.scene().is_pane(solution_.tree().face_side(link.source.element()));
   }
 
@@ -193,6 +239,10 @@ class Solver {
 
   /// The links' errors at their receivers. Errors of different links are independent.
   void add_errors() {
+    for (const Looker& looker : lookers_) {
+      const double error = looker.view.estimate(solution_).error_lux;
+      solution_.add_error(looker.root, error * error);
+    }
     for (const Link& link : all_) {
       const double mean = link.source.is_cluster() ? clusters_.radiosity_mean(link.source.cluster())
                                                    : solution_.radiosity_mean(link.source.element());
@@ -212,20 +262,20 @@ class Solver {
       const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
       convergence_ = change * q / (1.0 - q);
       last = change;
-      if (convergence_ <= kConverged * accuracy_) break;
+      if (convergence_ <= kConverged * options_.accuracy) break;
     }
     clusters_.pull(solution_);
   }
 
   Solution& solution_;
   const Importance& importance_;
+  std::vector<Looker> lookers_;
   std::vector<Link> links_;
   std::vector<Link> opening_links_;
   std::vector<Link> all_;
   std::vector<std::size_t> starts_;
   double scale_lux_;
-  double accuracy_;
-  std::uint64_t seed_;
+  SolveOptions options_;
   Clusters clusters_;
   std::size_t iterations_ = 0;
   double convergence_ = 0.0;
@@ -233,9 +283,9 @@ class Solver {
 
 }  // namespace
 
-Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance, double accuracy,
-                std::uint64_t seed, Progress& progress) {
-  return Solver(solution, importance, std::move(direct), accuracy, seed).run(tolerance, progress);
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, const SolveOptions& options,
+                Progress& progress) {
+  return Solver(solution, importance, std::move(direct), options).run(progress);
 }
 
 }  // namespace clerestory::lighting

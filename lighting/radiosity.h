@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "lighting/clusters.h"
@@ -20,10 +21,17 @@ struct Transport {
   double convergence = 0.0;  ///< share of the reflected flux that iterations not made would still change
 };
 
+struct SolveOptions {
+  double link_tolerance = 1e-5;  ///< error at the sensors that one link may cause, as a share of their mean illuminance
+  double node_tolerance = 4e-5;  ///< the same for all that one node sees by rays
+  double accuracy = 0.02;        ///< iterations go on until what is missing is far below
+  std::uint64_t seed = 0;
+};
+
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
 /// gathering with push and pull until what is missing is far below the accuracy.
-/// @param tolerance  error at the sensors that one link may cause, as a share of their mean illuminance
-Transport solve(Solution& solution, const Importance& importance, DirectLight direct, double tolerance, double accuracy,
-                std::uint64_t seed, Progress& progress);
+/// Roots that hardly matter to the sensors look around by rays instead of linking to all that surrounds them.
+Transport solve(Solution& solution, const Importance& importance, DirectLight direct, const SolveOptions& options,
+                Progress& progress);
 
 }  // namespace clerestory::lighting

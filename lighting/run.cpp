@@ -26,6 +26,7 @@ namespace {
 /// either sign, add up; measured on the validation scenes.
 constexpr double kLinkShare = 0.0005;
 constexpr double kDirectShare = 0.002;
+constexpr double kLookShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -162,7 +163,9 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("linking", progress);
   const Transport transport =
-      solve(solution, importance, std::move(direct), kLinkShare * target, target, seed, progress);
+      solve(solution, importance, std::move(direct),
+            {.link_tolerance = kLinkShare * target, .node_tolerance = kLookShare * target, .accuracy = target, .seed = seed},
+            progress);
 
   clock.begin("gathering", progress);
   for (std::size_t g = 0; g < results.grids.size(); ++g) {

@@ -18,6 +18,7 @@ struct Sum {
 
 Link link_of(const mesh::ElementTree& tree, ElementId source, const Sum& sum) {
   Link link;
+  link.by_rays = true;
   link.source = LinkSource::element(source);
   link.factor = static_cast<float>(sum.factor);
   const mesh::SecondMoments& area = tree.second_moments(source);

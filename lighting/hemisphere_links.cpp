@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/hemisphere_links.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "lighting/light_paths.h"
+#include "lighting/sampling.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+/// Keeps what the node's other light does not hold: sky and openings are direct light, shining surfaces have links.
+struct Collector {
+  const Scene* scene;
+  HemisphereView* view;
+  float factor;
+
+  void surface(const SurfacePoint& point, float weight, bool beyond) {
+    if (beyond || !scene->shines(point.side)) view->seen.push_back({point, factor * weight});
+  }
+  void sky(const Vector& direction, float weight, bool beyond) {
+    if (beyond) view->mirrored_sky_lux += factor * weight * std::numbers::pi * sky_luminance(scene->sky, direction);
+  }
+};
+
+}  // namespace
+
+HemisphereView look_around(const Solution& solution, ElementId node, std::uint32_t rays, std::uint64_t seed) {
+  const Scene& scene = solution.scene();
+  const mesh::ElementTree& tree = solution.tree();
+  HemisphereView view;
+  view.rays = rays;
+  const auto each = static_cast<std::uint32_t>(rays / HemisphereView::kSets);
+  for (std::size_t set = 0; set < HemisphereView::kSets; ++set) {
+    view.starts[set] = view.seen.size();
+    const SobolPoints numbers(mesh::hash(mesh::hash(tree.key(node), seed), 0x4E0 + set));
+    Collector collector{&scene, &view, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
+    for (std::uint32_t i = 0; i < each; ++i) {
+      const Point at = tree.sample(node, numbers.at(i, 0), numbers.at(i, 1)) + scene.rays->offset_m() * tree.normal(node);
+      follow(scene, at, cosine_direction(tree.axes(node), numbers.at(i, 2), numbers.at(i, 3)), 1.0F,
+             PathRule{PathRule::Part::kGather, -1, true}, collector);
+    }
+  }
+  view.starts[HemisphereView::kSets] = view.seen.size();
+  return view;
+}
+
+HemisphereView::Estimate HemisphereView::estimate(const Solution& solution) const {
+  Estimate result;
+  double square = 0.0;
+  for (std::size_t set = 0; set < kSets; ++set) {
+    double lux = 0.0;
+    for (std::size_t i = starts[set]; i < starts[set + 1]; ++i) {
+      const ElementId e = solution.element_at(seen[i].point.side, seen[i].point.region, seen[i].point.at);
+      if (e.valid()) lux += kSets * static_cast<double>(seen[i].factor) * solution.radiosity_mean(e);
+    }
+    result.mean_lux += lux / kSets;
+    square += lux * lux / kSets;
+  }
+  result.error_lux = std::sqrt(std::max(0.0, square - result.mean_lux * result.mean_lux) / (kSets - 1.0));
+  return result;
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lighting/seen_surfaces.h"
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+/// What a node sees by rays from all over it into its whole hemisphere: the rows of the form-factor matrix by ray casting [Malley's
+/// method: Maxwell, Bailey, Goldschmidt 1986; Wallace, Elmquist, Haines 1989]. For nodes that hardly matter this costs what their light
+/// distribution needs, whatever the number of surfaces around.
+struct HemisphereView {
+  std::vector<SeenSurface> seen;  ///< surfaces that shine by themselves left out, but in panes: they have links of their own
+  double mirrored_sky_lux = 0.0;  ///< sky seen in panes
+  std::uint32_t rays = 0;
+
+  /// Mean illuminance by the radiosities of a solution as they stand, and its standard error [lux].
+  struct Estimate {
+    double mean_lux = 0.0;
+    double error_lux = 0.0;
+  };
+  [[nodiscard]] Estimate estimate(const Solution& solution) const;
+
+  /// Where the rays of each of the independent sets begin in `seen` [kSets + 1].
+  static constexpr std::size_t kSets = 4;
+  std::array<std::size_t, kSets + 1> starts{};
+};
+
+/// Looks around from a node with so many rays, in sets of equal size with a scrambling each.
+HemisphereView look_around(const Solution& solution, mesh::ElementId node, std::uint32_t rays, std::uint64_t seed);
+
+}  // namespace clerestory::lighting
