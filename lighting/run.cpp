@@ -26,7 +26,7 @@ namespace {
 /// either sign, add up; measured on the validation scenes.
 constexpr double kLinkShare = 0.0005;
 constexpr double kDirectShare = 0.002;
-constexpr double kLookShare = 0.002;
+constexpr double kLookShare = 0.02;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
