@@ -30,15 +30,6 @@ constexpr std::uint32_t kFewRays = 4;  ///< to what cannot matter
 constexpr double kSmallest = 0.015;    ///< elements of a smaller radius are not split [m]
 /// Black receivers reflect nothing, but what they take is shown and belongs to the balance: they count as dark ones.
 constexpr float kLeastReflectance = 0.2F;
-/// Flux that one proven link may lose or win, as a share of all: what adds up over the links of an empty room stays under 1e-4,
-/// whatever accuracy the sensors ask for. Measured: 5e-5 at accuracies of 0.5 … 8 % in box rooms.
-constexpr double kFluxShare = 5e-6;
-/// What the receiver's line misses moves flux on the receiver, and changes its amount by what the next bounce sees of that alone.
-constexpr double kMovedShare = 0.3;
-/// Weight of what lines miss on both sides of a source: factor and radiosity rise towards the same edges, so that it does not average out.
-constexpr double kCommonEdge = 3.0;
-/// With no more nodes in the tree of clusters, all faces link to each other: clusters would spare nothing and cost their sampling.
-constexpr std::size_t kFewClusters = 63;
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
 constexpr std::size_t kExactPairs = 512;
 constexpr double kInFront = 1e-7;  ///< a corner this far in front of a plane counts as in front [m]
@@ -216,20 +207,8 @@ bool Linker::holds(const Link& link) const {
       link.source.is_cluster() ? clusters_.centre(link.source.cluster()) : tree.centroid(link.source.element());
   const double distance = std::max(1e-9, norm(centre - tree.centroid(link.receiver)));
   const double unevenness = link.source.is_cluster() ? 1.0 : std::min(1.0, radius / distance);
-  const double at_source = source_error(link);
-  const double error = link.error * mean + link.factor * deviation * unevenness + at_source;
-  if (error > tolerance(link.receiver)) return false;
-  if (link.visibility != Visibility::kVisible) return true;
-  const double flux = clusters_.radiosity_mean(0) * clusters_.area(0);
-  return tree.area(link.receiver) * std::max(kMovedShare * link.error * mean, at_source) <= kFluxShare * flux;
-}
-
-double Linker::source_error(const Link& link) const {
-  if (link.source.is_cluster()) return 0.0;
-  const ElementId s = link.source.element();
-  const double deviation = solution_.radiosity_deviation(s);
-  const double along_line = std::sqrt(std::max(0.0, solution_.radiosity_variance(s) - deviation * deviation));
-  return link.source_error * (kCommonEdge * deviation + along_line);
+  const double error = link.error * mean + link.factor * deviation * unevenness;
+  return error <= tolerance(link.receiver);
 }
 
 LinkDecision::Kind Linker::split_of(const Link& link) const {
@@ -242,7 +221,6 @@ LinkDecision::Kind Linker::split_of(const Link& link) const {
   }
   const ElementId s = link.source.element();
   const double other = tree.radius(s);
-  if (other > kSmallest && source_error(link) > link.error * solution_.radiosity_mean(s)) return Kind::kSplitSource;
   const bool uneven = solution_.radiosity_deviation(s) > 0.02F * solution_.radiosity_mean(s);
   // A proven view of an even source gains nothing by splitting the source: its factor is exact.
   const bool receiver_first = (link.visibility == Visibility::kVisible && !uneven) || own >= other;
@@ -265,8 +243,7 @@ LinkDecision Linker::decide(const LinkCandidate& candidate) const {
   LinkDecision decision;
   std::optional<Link> link;
   if (candidate.source.is_cluster()) {
-    if (clusters_.size() <= kFewClusters || overlaps(candidate.receiver, candidate.source.cluster()))
-      return {Kind::kSplitSource, {}};
+    if (overlaps(candidate.receiver, candidate.source.cluster())) return {Kind::kSplitSource, {}};
     link = link_cluster(candidate);
   } else {
     link = link_element(candidate);
@@ -383,7 +360,6 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.slope_v = static_cast<float>(own_share * own.fit.line.slope_v);
   link.moment_u = static_cast<float>(source_share * sources.fit.line.slope_u);
   link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
-  link.source_error = static_cast<float>(source_share * sources.fit.residual);
   const double unoccluded = exchange / tree.area(r);
   const double missed = receiver_small ? 0.0 : share * std::abs(large.unoccluded - unoccluded);
   link.error = static_cast<float>(own_share * own.fit.residual + missed +

@@ -48,9 +48,6 @@ class Linker {
   [[nodiscard]] bool cannot_matter(mesh::ElementId receiver, mesh::ElementId source) const;
   [[nodiscard]] std::optional<Link> link_roughly(const LinkCandidate& candidate) const;
   [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
-  /// Irradiance of the receiver that lines over the source miss or make up [lux]: the factor's, where radiosity is off its line or rises
-  /// along it.
-  [[nodiscard]] double source_error(const Link& link) const;
   [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
   /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a
   /// factor's error, for receivers whose places do not tell.

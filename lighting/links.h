@@ -39,8 +39,6 @@ struct Link {
   float moment_u = 0.0F;  ///< [1/m]
   float moment_v = 0.0F;
   float error = 0.0F;  ///< of the factor over the receiver: what the line misses, and the noise of the visibility
-  /// Of the factor over the source, as a factor of the receiver: what the line through the source's places misses.
-  float source_error = 0.0F;
   mesh::Visibility visibility = mesh::Visibility::kPartial;
   bool by_rays = false;  ///< what rays of the receiver ended on, not an estimate of the pair
   bool rough = false;    ///< made of a few rays, because it could not matter with the light there was

@@ -46,7 +46,7 @@ class Solver {
     clusters_.pull(solution_);
     std::vector<LinkCandidate> start = begin();
     for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
-      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * options_.link_tolerance * scale_lux_,
+      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_,
                           options_.seed);
       if (pass > 0) start = reopen(linker);
       refine(linker, std::move(start));
@@ -90,7 +90,7 @@ class Solver {
   /// What a root sees by rays: nothing where so many rays would be needed, or where it matters so much how light changes over it, that links
   /// serve better.
   [[nodiscard]] HemisphereView look(ElementId root) const {
-    const double goal = options_.node_tolerance * scale_lux_;
+    const double goal = options_.node_share * options_.accuracy * scale_lux_;
     const Scene& scene = solution_.scene();
     const double rho = luminance(scene.side_reflectance(solution_.tree().face_side(root)), scene.channel_weights);
     const double lit = rho * kBrightness * scale_lux_;

@@ -22,11 +22,9 @@ namespace clerestory::lighting {
 
 namespace {
 
-/// Error at the sensors that one link, or one node's direct light, may cause, as a share of the accuracy. Many such errors, of
-/// either sign, add up; measured on the validation scenes.
-constexpr double kLinkShare = 0.0005;
+/// Error at the sensors that one node's direct light may cause, as a share of the accuracy: many such errors, of either sign, add up.
+/// Measured on the validation scenes.
 constexpr double kDirectShare = 0.002;
-constexpr double kLookShare = 0.02;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -164,7 +162,7 @@ Results run(const Study& study, Progress& progress) {
   clock.begin("linking", progress);
   const Transport transport =
       solve(solution, importance, std::move(direct),
-            {.link_tolerance = kLinkShare * target, .node_tolerance = kLookShare * target, .accuracy = target, .seed = seed},
+            {.accuracy = target, .seed = seed},
             progress);
 
   clock.begin("gathering", progress);

@@ -24,7 +24,7 @@ Study room_study() {
 
 TEST(Clusters, LeavesHoldEveryRootOnce) {
   const test::Stage stage(room_study());
-  const Clusters clusters(stage.solution.tree());
+  const Clusters clusters(stage.scene, stage.solution.tree());
   std::map<std::uint32_t, int> seen;
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
     if (clusters.is_leaf(c)) ++seen[clusters.root(c).value];
@@ -35,7 +35,7 @@ TEST(Clusters, LeavesHoldEveryRootOnce) {
 
 TEST(Clusters, AreasAddUpAndBoxesHoldTheirChildren) {
   const test::Stage stage(room_study());
-  const Clusters clusters(stage.solution.tree());
+  const Clusters clusters(stage.scene, stage.solution.tree());
   EXPECT_NEAR(clusters.area(0), kSides_m2, 1e-9);
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
     if (clusters.is_leaf(c)) continue;
@@ -53,7 +53,7 @@ TEST(Clusters, AreasAddUpAndBoxesHoldTheirChildren) {
 TEST(Clusters, SamplesAreUniformByArea) {
   const test::Stage stage(room_study());
   const mesh::ElementTree& tree = stage.solution.tree();
-  const Clusters clusters(tree);
+  const Clusters clusters(stage.scene, tree);
   const SobolPoints points(6);
   constexpr std::uint32_t kCount = 16384;
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
@@ -73,7 +73,7 @@ TEST(Clusters, SamplesAreUniformByArea) {
 TEST(Clusters, EndsOfTheUnitIntervalAreSampledToo) {
   const test::Stage stage(room_study());
   const mesh::ElementTree& tree = stage.solution.tree();
-  const Clusters clusters(tree);
+  const Clusters clusters(stage.scene, tree);
   for (const double a : {0.0, std::nextafter(1.0, 0.0)}) {
     const ClusterPoint p = clusters.sample(tree, 0, a, 0.5);
     EXPECT_TRUE(tree.find(tree.face_side(p.root), p.at).valid());
@@ -84,7 +84,7 @@ TEST(Clusters, EndsOfTheUnitIntervalAreSampledToo) {
 TEST(Clusters, PullGivesAreaMeansAndDeviations) {
   test::Stage stage(room_study());
   stage.solution.push_pull();  // no light but the ceiling's own
-  Clusters clusters(stage.solution.tree());
+  Clusters clusters(stage.scene, stage.solution.tree());
   clusters.pull(stage.solution);
   const double share = 20.0 / kSides_m2;
   EXPECT_NEAR(clusters.radiosity_mean(0), 100.0 * share, 1e-3);

@@ -14,15 +14,14 @@ namespace {
 
 /// One element a region: the solver splits what it needs.
 constexpr double kUnrefined_m = 1e9;
-/// Shares of the accuracy as run() gives them to links and direct light.
-constexpr double kLinkShare = 0.001;
+/// Share of the accuracy as run() gives it to direct light.
 constexpr double kDirectShare = 0.002;
 constexpr std::uint64_t kSeed = 12345;
 
 Transport solve_all(Stage& stage, const Importance& importance, double accuracy) {
   NoProgress nobody;
   DirectLight direct = light_directly(stage.solution, importance, kDirectShare * accuracy, kSeed, nobody);
-  return solve(stage.solution, importance, std::move(direct), kLinkShare * accuracy, accuracy, kSeed, nobody);
+  return solve(stage.solution, importance, std::move(direct), {.accuracy = accuracy, .seed = kSeed}, nobody);
 }
 
 }  // namespace
