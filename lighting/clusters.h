@@ -32,7 +32,9 @@ class Clusters {
   /// The biggest clusters of one kind each.
   [[nodiscard]] std::vector<std::uint32_t> tops() const;
   /// Of a cluster that one of the tops holds.
-  [[nodiscard]] Kind kind(std::uint32_t c) const { return static_cast<Kind>(order_kind_[nodes_[c].begin] / kDirections); }
+  [[nodiscard]] Kind kind(std::uint32_t c) const {
+    return static_cast<Kind>(order_kind_[nodes_[c].begin] / kDirections);
+  }
   /// The root of a leaf.
   [[nodiscard]] mesh::ElementId root(std::uint32_t c) const { return order_[nodes_[c].begin]; }
   [[nodiscard]] double area(std::uint32_t c) const { return nodes_[c].area; }
@@ -71,7 +73,7 @@ class Clusters {
 
   std::vector<Node> nodes_;  ///< parents before children, the left child next to its parent
   std::vector<mesh::ElementId> order_;
-  std::vector<int> order_kind_;  ///< [roots, as in order_] direction + kind · kDirections
+  std::vector<int> order_kind_;      ///< [roots, as in order_] direction + kind · kDirections
   std::vector<double> area_before_;  ///< [roots + 1] of all roots ahead in order_
   std::size_t channels_ = 1;
   std::vector<float> radiosity_;

@@ -247,8 +247,7 @@ void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
       Collector collector{&scene(), true};
-      follow(scene(), places.lifted[i], s.direction, 1.0F,
-             rule_of(static_cast<std::int32_t>(k)), collector);
+      follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
       places.samples[i].value += lux;
       result.received += weight * collector.sky_lux / kPoints;

@@ -43,7 +43,8 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
     const SobolPoints numbers(mesh::hash(mesh::hash(tree.key(node), seed), 0x4E0 + set));
     Collector collector{&scene, &view, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
     for (std::uint32_t i = 0; i < each; ++i) {
-      const Point at = tree.sample(node, numbers.at(i, 0), numbers.at(i, 1)) + scene.rays->offset_m() * tree.normal(node);
+      const Point at =
+          tree.sample(node, numbers.at(i, 0), numbers.at(i, 1)) + scene.rays->offset_m() * tree.normal(node);
       follow(scene, at, cosine_direction(tree.axes(node), numbers.at(i, 2), numbers.at(i, 3)), 1.0F,
              PathRule{PathRule::Part::kGather, -1, true}, collector);
     }

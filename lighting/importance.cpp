@@ -56,7 +56,9 @@ struct LastSurface {
     point = p;
     weight = w;
   }
-  void sky(const Vector& direction, float w, bool) { sky_lux += w * std::numbers::pi * sky_luminance(*light, direction); }
+  void sky(const Vector& direction, float w, bool) {
+    sky_lux += w * std::numbers::pi * sky_luminance(*light, direction);
+  }
 };
 
 Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint32_t walks,

@@ -46,8 +46,8 @@ class Solver {
     clusters_.pull(solution_);
     std::vector<LinkCandidate> start = begin();
     for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
-      const Linker linker(solution_, clusters_, importance_, kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_,
-                          options_.seed);
+      const Linker linker(solution_, clusters_, importance_,
+                          kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_, options_.seed);
       if (pass > 0) start = reopen(linker);
       refine(linker, std::move(start));
       sort_links();
@@ -76,7 +76,8 @@ class Solver {
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const bool looks = views[i].rays > 0;
       if (looks) {
-        for (LinearValue& direct : solution_.direct(roots[i])) direct.value += static_cast<float>(views[i].mirrored_sky_lux);
+        for (LinearValue& direct : solution_.direct(roots[i]))
+          direct.value += static_cast<float>(views[i].mirrored_sky_lux);
         lookers_.push_back({roots[i], std::move(views[i])});
       }
       for (const std::uint32_t top : clusters_.tops()) {
@@ -179,7 +180,8 @@ class Solver {
 
   /// Up to here panes stood in for what they mirror, as diffuse surfaces; from here on it is seen in them.
   void see_mirrors() {
-    const auto to_pane = std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
+    const auto to_pane =
+        std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
     const MirroredLight mirrored =
         follow_mirrors(solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()), options_.seed);
     links_.erase(to_pane, links_.end());

@@ -161,9 +161,7 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("linking", progress);
   const Transport transport =
-      solve(solution, importance, std::move(direct),
-            {.accuracy = target, .seed = seed},
-            progress);
+      solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
 
   clock.begin("gathering", progress);
   for (std::size_t g = 0; g < results.grids.size(); ++g) {
