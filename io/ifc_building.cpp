@@ -31,6 +31,7 @@
 #include <ifcpp/model/BuildingException.h>
 #include <ifcpp/reader/ReaderSTEP.h>
 
+#include <clocale>
 #include <cmath>
 
 #include "io/ifc_entities.h"
@@ -88,6 +89,18 @@ void check_entities(const std::string& file, const StepOutline& outline, const B
   if (!outline.complete) notices.push_back("The model does not end as an IFC file must: it may have been cut off.");
 }
 
+/// The parser sets the process's LC_NUMERIC and leaves it so.
+class NumericLocale {
+ public:
+  NumericLocale() : before_(std::setlocale(LC_NUMERIC, nullptr)) {}
+  ~NumericLocale() { std::setlocale(LC_NUMERIC, before_.c_str()); }
+  NumericLocale(const NumericLocale&) = delete;
+  NumericLocale& operator=(const NumericLocale&) = delete;
+
+ private:
+  std::string before_;
+};
+
 std::shared_ptr<BuildingModel> parse(const std::string& file, const std::string& text, const StepOutline& outline,
                                      std::vector<std::string>& notices) {
   auto model = std::make_shared<BuildingModel>();
@@ -98,6 +111,7 @@ std::shared_ptr<BuildingModel> parse(const std::string& file, const std::string&
       *static_cast<std::string*>(text_of_errors) = utf8(message->m_message_text);
   });
   std::string content = text;
+  const NumericLocale restored;
   try {
     reader.loadModelFromString(content, model);
   } catch (const BuildingException& error) {

@@ -87,7 +87,7 @@ struct IfcBuilding {
 };
 
 /// Parses a file and converts the bodies in it. Throws InputError for a file that is no IFC2X3 or IFC4, is cut off, or holds no
-/// element. Changes LC_NUMERIC of the process and lets a library work that may crash: for a child process.
+/// element. Changes LC_NUMERIC while it works, with a library that may crash: for a child process.
 IfcBuilding read_ifc_building(const std::filesystem::path& path);
 
 }  // namespace clerestory::io

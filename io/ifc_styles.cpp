@@ -59,8 +59,10 @@ void read_colour(const IfcSurfaceStyleShading& shading, IfcSurface& surface) {
   double factor = 1.0;
   if (const auto* rendering = dynamic_cast<const IfcSurfaceStyleRendering*>(&shading))
     if (const auto share = as<IfcNormalisedRatioMeasure>(rendering->m_DiffuseColour)) factor = share->m_value;
-  surface.colour = {factor * linear(value_of(colour.m_Red)), factor * linear(value_of(colour.m_Green)),
-                    factor * linear(value_of(colour.m_Blue))};
+  const std::array<double, 3> bands{factor * linear(value_of(colour.m_Red)), factor * linear(value_of(colour.m_Green)),
+                                    factor * linear(value_of(colour.m_Blue))};
+  // Nothing real is all black: programs write that where nobody chose a colour.
+  if (bands != std::array<double, 3>{}) surface.colour = bands;
 }
 
 }  // namespace
