@@ -51,7 +51,7 @@ std::vector<std::string> names_of(std::string_view text) {
 /// Where no file of a line is there: a model may have been renamed together with its MTL.
 fs::path file_in_place_of(const fs::path& model, const MtlReference& reference, const std::vector<std::string>& missing,
                           std::vector<std::string>& notices) {
-  const fs::path namesake = fs::path(model).replace_extension(".mtl");
+  fs::path namesake = fs::path(model).replace_extension(".mtl");
   if (missing.empty() || !is_file(namesake))
     throw InputError(
         model.string(), reference.line,

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestSeed = std::uintmax_t{128} << 10;  // larger ones make for few runs
-constexpr unsigned kLongestRun_s = 25;
+constexpr unsigned kLongestRunSeconds = 25;
 constexpr const char* kCrashFile = "crash-input";
 
 std::string input;  // the latest
@@ -83,7 +83,7 @@ std::vector<std::string> read_seeds(const std::vector<fs::path>& places) {
 }
 
 void run() {
-  ::alarm(kLongestRun_s);
+  ::alarm(kLongestRunSeconds);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
   ::alarm(0);
 }

@@ -31,7 +31,7 @@ void check_polygon(const mesh::Model& model, std::size_t polygon) {
 }  // namespace
 
 std::filesystem::path folder() {
-  static const test::ScratchFolder scratch;
+  static test::ScratchFolder scratch;
   return scratch.path();
 }
 

@@ -10,7 +10,7 @@
 #include "io/model_file.h"
 
 /// The entry that libFuzzer and the driver call: 0 whatever the input is, and never an end of the program.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT: libFuzzer's name
 
 namespace clerestory::fuzz {
 
