@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestIncludes = 64;
-constexpr std::size_t kMostPolygons = 5000000;  // of any building, and of what the memory of a common machine holds
+constexpr std::size_t kMostPolygons = 5000000;     // of any building, and of what the memory of a common machine holds
+constexpr std::size_t kMostStatements = 10000000;  // copies of files included
 constexpr std::uint64_t kLargestArguments = std::uint64_t{1} << 20;  // bytes
 
 /// How a file is included.
@@ -41,6 +42,7 @@ class SceneReader {
 
  private:
   const RadianceFile& file(const fs::path& path);
+  const RadianceFile& included(const std::string& name, const RadianceFile& from, std::uint64_t line);
   void add_file(const RadianceFile& file, const Place& place);
   void add_command(const RadianceFile& file, const RadianceStatement& statement, const Place& place);
   void add_copy(const RadianceFile& from, std::uint64_t line, const RadianceCopy& copy, const Place& place);
@@ -56,9 +58,12 @@ class SceneReader {
   RadianceModifiers modifiers_;
   RadianceNotices notices_;
   std::map<fs::path, RadianceFile> files_;  // by canonical path
-  std::vector<fs::path> files_read_;        // in order
-  std::vector<const RadianceFile*> open_;   // the first file, one that it includes, …
+  /// By the including file and the name in it: arrays ask for the same one very often.
+  std::map<std::pair<const RadianceFile*, std::string>, const RadianceFile*> included_;
+  std::vector<fs::path> files_read_;       // in order
+  std::vector<const RadianceFile*> open_;  // the first file, one that it includes, …
   std::size_t copies_ = 0;
+  std::size_t statements_ = 0;
 };
 
 ModelFile SceneReader::read(const ModelFormat& format) {
@@ -82,8 +87,18 @@ const RadianceFile& SceneReader::file(const fs::path& path) {
   return files_.emplace(canonical, std::move(read)).first->second;
 }
 
+const RadianceFile& SceneReader::included(const std::string& name, const RadianceFile& from, std::uint64_t line) {
+  const RadianceFile*& known = included_[{&from, name}];
+  if (known == nullptr) known = &file(find(name, from, line));
+  return *known;
+}
+
 void SceneReader::add_file(const RadianceFile& file, const Place& place) {
   open_.push_back(&file);
+  statements_ += file.statements.size();
+  if (statements_ > kMostStatements)
+    throw InputError(file.name, 0, fmt::format("the scene has over {} primitives", kMostStatements),
+                     "make its arrays smaller");
   for (const RadianceStatement& statement : file.statements) {
     if (statement.command) {
       add_command(file, statement, place);
@@ -106,8 +121,8 @@ void SceneReader::add_command(const RadianceFile& file, const RadianceStatement&
 
 void SceneReader::add_copy(const RadianceFile& from, std::uint64_t line, const RadianceCopy& copy, const Place& place) {
   for (const std::string& name : copy.files) {
-    const RadianceFile& included = file(find(name, from, line));
-    if (std::find(open_.begin(), open_.end(), &included) != open_.end())
+    const RadianceFile& inside = included(name, from, line);
+    if (std::find(open_.begin(), open_.end(), &inside) != open_.end())
       throw InputError(from.name, line, fmt::format("the scene {} includes itself", in_quotes(name)),
                        "remove one of the commands that close the circle");
     if (open_.size() >= kDeepestIncludes)
@@ -120,9 +135,9 @@ void SceneReader::add_copy(const RadianceFile& from, std::uint64_t line, const R
     inner.transform = copy.transform.then(place.transform);
     inner.inverted = place.inverted != copy.inverted;
     inner.modifier = place.modifier ? place.modifier : copy.modifier;
-    const std::string own = copy.name.empty() ? included.path.stem().string() + copy.numbers : copy.name;
+    const std::string own = copy.name.empty() ? inside.path.stem().string() + copy.numbers : copy.name;
     inner.part = place.part.empty() ? own : place.part + "." + own;
-    add_file(included, inner);
+    add_file(inside, inner);
   }
 }
 

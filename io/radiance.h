@@ -16,7 +16,8 @@ namespace clerestory::io {
 ///   first file what stands before the last dot of the identifier.
 /// - Radiance has no unit: unless told, it is guessed from the size.
 /// Throws InputError with file and line for other commands, included files that are not there or include themselves, more than
-/// kMostRadianceCopies included copies or 5 million polygons, a scene without surfaces, and where read_radiance_file() does.
+/// kMostRadianceCopies included copies, 10 million primitives or 5 million polygons, a scene without surfaces, and where
+/// read_radiance_file() does.
 ModelFile read_radiance(const std::filesystem::path& path, const ModelFormat& format = {});
 
 }  // namespace clerestory::io

@@ -15,6 +15,7 @@ namespace clerestory::io {
 namespace {
 
 constexpr std::string_view kVoid = "void";
+constexpr std::size_t kMostMeanings = 1000;  // of one name that copies of files bring again and again
 
 bool is_left_out(std::string_view type) { return type == "antimatter" || type == "mist"; }
 
@@ -38,11 +39,11 @@ std::optional<std::size_t> RadianceModifiers::latest(const std::string& name) co
   return at == by_identifier_.end() ? std::nullopt : std::optional(at->second.back());
 }
 
-std::string RadianceModifiers::free_name(const std::string& name, const std::string& file) const {
+std::string RadianceModifiers::free_name(const std::string& name, const std::string& file, std::size_t others) const {
   if (!names_.contains(name)) return name;
   const std::string stem = std::filesystem::path(file).stem().string();
   std::string other = fmt::format("{} ({})", name, stem);
-  for (int i = 2; names_.contains(other); ++i) other = fmt::format("{} ({} {})", name, stem, i);
+  for (std::size_t i = others + 1; names_.contains(other); ++i) other = fmt::format("{} ({} {})", name, stem, i);
   return other;
 }
 
@@ -54,61 +55,49 @@ std::vector<std::size_t> RadianceModifiers::targets_of(const RadiancePrimitive& 
 }
 
 void RadianceModifiers::define(const RadiancePrimitive& primitive, const std::string& file) {
-  Definition definition{primitive, file, {}, latest(primitive.modifier), targets_of(primitive)};
+  const std::optional<std::size_t> modifier = latest(primitive.modifier);
+  std::vector<std::size_t> targets = targets_of(primitive);
   for (const std::string& word : target_words(primitive))
     if (word != kVoid && !latest(word)) undefined_.insert(word);
   std::vector<std::size_t>& same = by_identifier_[primitive.identifier];
   const auto is_equal = [&](std::size_t i) {
     const Definition& other = definitions_[i];
     return other.primitive.type == primitive.type && other.primitive.strings == primitive.strings &&
-           other.primitive.reals == primitive.reals && other.modifier == definition.modifier &&
-           other.targets == definition.targets;
+           other.primitive.reals == primitive.reals && other.modifier == modifier && other.targets == targets;
   };
-  const auto known = std::find_if(same.begin(), same.end(), is_equal);
+  const auto recent = same.end() - static_cast<std::ptrdiff_t>(std::min(same.size(), kMostMeanings));
+  const auto known = std::find_if(recent, same.end(), is_equal);
   if (known != same.end()) {
     std::rotate(known, known + 1, same.end());
     return;
   }
   const bool is_behind = primitive.kind == RadianceKind::kPattern || primitive.kind == RadianceKind::kTexture;
-  definition.name = is_behind ? primitive.identifier : free_name(primitive.identifier, file);
-  if (!is_behind) names_.insert(definition.name);
+  const std::string name = is_behind ? primitive.identifier : free_name(primitive.identifier, file, same.size());
+  if (!is_behind) names_.insert(name);
   same.push_back(definitions_.size());
+  Definition definition{primitive, file, name, modifier, std::move(targets), {}};
+  definition.meaning = meaning_of(definition, definitions_.size());
   definitions_.push_back(std::move(definition));
 }
 
-void RadianceModifiers::add_patterns(std::optional<std::size_t> definition, Meaning& meaning) const {
-  // Definitions refer to earlier ones only, so that chains end.
-  while (definition) {
-    const Definition& at = definitions_[*definition];
-    if (at.primitive.kind == RadianceKind::kPattern) meaning.patterned = true;
-    if (at.primitive.type == "colorpict") meaning.pictured = true;
-    const bool follows_target = at.primitive.kind == RadianceKind::kAlias && !at.targets.empty();
-    definition = follows_target ? std::optional(at.targets[0]) : at.modifier;
-  }
-}
-
-RadianceModifiers::Meaning RadianceModifiers::meaning_of(std::size_t definition) const {
-  Meaning meaning;
-  std::optional<std::size_t> next = definition;
-  while (next) {
-    const Definition& at = definitions_[*next];
-    const RadianceKind kind = at.primitive.kind;
-    if (kind == RadianceKind::kPattern || kind == RadianceKind::kTexture) {
-      meaning.patterned |= kind == RadianceKind::kPattern;
-      meaning.pictured |= at.primitive.type == "colorpict";
-      if (!at.modifier && meaning.name.empty()) meaning.name = at.name;
-      next = at.modifier;
-      continue;
-    }
-    if (meaning.name.empty()) meaning.name = at.name;
-    if (kind == RadianceKind::kMaterial && at.targets.empty()) {
-      meaning.material = next;
-      add_patterns(at.modifier, meaning);
-      break;
-    }
-    meaning.mixed |= kind == RadianceKind::kMixture;
-    meaning.behind_illum |= kind == RadianceKind::kMaterial;
-    next = at.targets.empty() ? std::nullopt : std::optional(at.targets[0]);
+/// Definitions refer to earlier ones only, whose meanings are known.
+RadianceModifiers::Meaning RadianceModifiers::meaning_of(const Definition& definition, std::size_t index) const {
+  const RadianceKind kind = definition.primitive.kind;
+  const bool is_material = kind == RadianceKind::kMaterial && definition.targets.empty();
+  const bool is_behind = kind == RadianceKind::kPattern || kind == RadianceKind::kTexture;
+  std::optional<std::size_t> next = definition.modifier;
+  if (!is_material && !is_behind)
+    next = definition.targets.empty() ? std::nullopt : std::optional(definition.targets[0]);
+  Meaning meaning = next ? definitions_[*next].meaning : Meaning{};
+  if (!is_behind || meaning.name.empty()) meaning.name = definition.name;
+  meaning.patterned |= kind == RadianceKind::kPattern;
+  meaning.pictured |= definition.primitive.type == "colorpict";
+  meaning.mixed |= kind == RadianceKind::kMixture;
+  meaning.behind_illum |= kind == RadianceKind::kMaterial && !is_material;
+  if (is_material) {
+    // Of what lies in front of a material only patterns count.
+    meaning.material = index;
+    meaning.mixed = meaning.behind_illum = false;
   }
   return meaning;
 }
@@ -120,14 +109,12 @@ std::optional<std::string> RadianceModifiers::material_for(const std::string& mo
     undefined_.insert(modifier);
     return modifier;
   }
-  Meaning meaning = meaning_of(*definition);
+  const Meaning& meaning = definitions_[*definition].meaning;
   if (meaning.material && is_left_out(definitions_[*meaning.material].primitive.type)) return std::nullopt;
-  const std::string name = meaning.name;
-  Meaning& used = used_.try_emplace(name, std::move(meaning)).first->second;
-  if (used.material != meaning.material) return name;
+  Meaning& used = used_.try_emplace(meaning.name, meaning).first->second;
   used.patterned |= meaning.patterned;
   used.pictured |= meaning.pictured;
-  return name;
+  return meaning.name;
 }
 
 SourceMaterial RadianceModifiers::tell(const Meaning& meaning) const {
@@ -155,8 +142,8 @@ std::vector<SourceMaterial> RadianceModifiers::told() const {
   for (std::size_t i = 0; i < definitions_.size(); ++i) {
     const RadianceKind kind = definitions_[i].primitive.kind;
     if (kind == RadianceKind::kPattern || kind == RadianceKind::kTexture) continue;
-    const Meaning meaning = meaning_of(i);
-    if (meaning.name == definitions_[i].name && !used_.contains(meaning.name)) result.push_back(tell(meaning));
+    const Meaning& meaning = definitions_[i].meaning;
+    if (!used_.contains(meaning.name)) result.push_back(tell(meaning));
   }
   return result;
 }

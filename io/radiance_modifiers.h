@@ -30,14 +30,7 @@ class RadianceModifiers {
   [[nodiscard]] std::vector<std::string> notices() const;
 
  private:
-  struct Definition {
-    RadiancePrimitive primitive;
-    std::string file;
-    std::string name;                     ///< in the model
-    std::optional<std::size_t> modifier;  ///< an earlier definition
-    std::vector<std::size_t> targets;     ///< of aliases, mixtures, illums: earlier definitions
-  };
-  /// Where a chain of modifiers ends.
+  /// What a chain of modifiers means.
   struct Meaning {
     std::string name;                     ///< in the model
     std::optional<std::size_t> material;  ///< its definition; none where nothing stands behind the chain
@@ -46,12 +39,20 @@ class RadianceModifiers {
     bool mixed = false;                   ///< it is a part of a mixture
     bool behind_illum = false;            ///< it is seen in place of an illum
   };
+  struct Definition {
+    RadiancePrimitive primitive;
+    std::string file;
+    std::string name;                     ///< in the model
+    std::optional<std::size_t> modifier;  ///< an earlier definition
+    std::vector<std::size_t> targets;     ///< of aliases, mixtures, illums: earlier definitions
+    Meaning meaning;
+  };
 
   [[nodiscard]] std::optional<std::size_t> latest(const std::string& name) const;
-  [[nodiscard]] std::string free_name(const std::string& name, const std::string& file) const;
+  /// @param others  definitions of the name so far
+  [[nodiscard]] std::string free_name(const std::string& name, const std::string& file, std::size_t others) const;
   [[nodiscard]] std::vector<std::size_t> targets_of(const RadiancePrimitive& primitive) const;
-  [[nodiscard]] Meaning meaning_of(std::size_t definition) const;
-  void add_patterns(std::optional<std::size_t> definition, Meaning& meaning) const;
+  [[nodiscard]] Meaning meaning_of(const Definition& definition, std::size_t index) const;
   [[nodiscard]] SourceMaterial tell(const Meaning& meaning) const;
   [[nodiscard]] std::vector<std::string> undefined() const;
 

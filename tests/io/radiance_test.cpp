@@ -123,6 +123,10 @@ TEST_F(Radiance, TooMuchIsRefusedBeforeItFillsTheMemory) {
   write_text(beside("ball.rad"), "paint sphere s 0 0 4 0 0 0 1000\n");
   write_text(beside("balls.rad"), "!xform -a 1000 -t 1 0 0 ball.rad\n");
   EXPECT_THAT(refusal("!xform -a 1000 -t 1 0 0 balls.rad\n"), HasSubstr("over 5000000 polygons"));
+  std::string materials;
+  for (int i = 0; i < 200; ++i) materials += kWall;
+  write_text(beside("walls.rad"), materials);
+  EXPECT_THAT(refusal("!xform -a 199999 -t 1 0 0 walls.rad\n"), HasSubstr("over 10000000 primitives"));
   write_text(beside("nothing.rad"), "# nothing\n");
   write_text(beside("much.rad"), "!xform -a 2000 -t 1 0 0 nothing.rad\n");
   EXPECT_THAT(refusal("!xform -a 2000 -t 1 0 0 much.rad\n"), HasSubstr("includes over 200000 files"));
