@@ -23,8 +23,9 @@ using mesh::Affine;
 using mesh::Point;
 using mesh::Vector;
 
-/// What blocks may multiply a small file to. Faces: some 600 MB.
+/// What blocks may multiply a small file to: some 600 MB.
 constexpr std::uint64_t kMostInsertedFaces = 5'000'000;
+constexpr std::uint64_t kMostInsertedPoints = 4 * kMostInsertedFaces;
 constexpr std::uint64_t kMostInserts = 1'000'000;
 
 /// The axes that belong to an extrusion direction. Source: Autodesk, DXF Reference, Arbitrary Axis Algorithm.
@@ -67,7 +68,7 @@ class DxfModel {
 
   void place(const DxfContent& content, const Context& context);
   void place_insert(const DxfInsert& insert, const Context& context);
-  void count_inserted(std::uint64_t faces, std::uint64_t line);
+  void count_inserted(const DxfContent& block, std::uint64_t times, std::uint64_t line);
   [[nodiscard]] std::optional<ToldUnit> told_unit(ModelFile& result) const;
   void add_notices(ModelFile& result) const;
   [[nodiscard]] std::string left_out_words() const;
@@ -78,6 +79,7 @@ class DxfModel {
   std::vector<std::uint32_t> corners_;
   std::uint64_t inserts_ = 0;
   std::uint64_t inserted_faces_ = 0;
+  std::uint64_t inserted_points_ = 0;
   std::set<std::string> hidden_layers_;
   std::set<std::string> unknown_blocks_;
 };
@@ -133,18 +135,20 @@ void DxfModel::place_insert(const DxfInsert& insert, const Context& context) {
                      fmt::format("the block {} holds itself", in_quotes(block->second.name)),
                      "explode one of the inserts");
   inner.blocks.push_back(&block->second);
+  count_inserted(block->second, static_cast<std::uint64_t>(insert.rows * insert.columns), insert.line);
   for (std::int64_t row = 0; row < insert.rows; ++row) {
     for (std::int64_t column = 0; column < insert.columns; ++column) {
-      count_inserted(block->second.polygon_count(), insert.line);
       inner.placing = context.placing * placing_of(insert, block->second.base, column, row);
       place(block->second, inner);
     }
   }
 }
 
-void DxfModel::count_inserted(std::uint64_t faces, std::uint64_t line) {
-  inserted_faces_ += faces;
-  if (++inserts_ > kMostInserts || inserted_faces_ > kMostInsertedFaces)
+void DxfModel::count_inserted(const DxfContent& block, std::uint64_t times, std::uint64_t line) {
+  inserts_ += times;
+  inserted_faces_ += times * block.polygon_count();
+  inserted_points_ += times * block.points.size();
+  if (inserts_ > kMostInserts || inserted_faces_ > kMostInsertedFaces || inserted_points_ > kMostInsertedPoints)
     throw InputError(path_.string(), line,
                      fmt::format("the blocks that are inserted come to over {} faces or {} inserts", kMostInsertedFaces,
                                  kMostInserts),
@@ -178,6 +182,7 @@ std::optional<ToldUnit> DxfModel::told_unit(ModelFile& result) const {
 
 std::string DxfModel::left_out_words() const {
   std::vector<std::string> words;
+  words.reserve(drawing_.left_out.size());
   for (const auto& [type, count] : drawing_.left_out) words.push_back(fmt::format("{} {}", count, type));
   return list_names(words);
 }

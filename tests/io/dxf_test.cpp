@@ -226,6 +226,11 @@ TEST_F(Dxf, BlocksThatHoldThemselvesOrMultiplyWithoutEndAreRefused) {
               HasSubstr("the block 'a' holds itself"));
   EXPECT_THAT(refusal(drawing("0=INSERT 2=a 10=0 20=0 70=32767 71=32767", block("a", ""))),
               HasSubstr("come to over 5000000 faces or 1000000 inserts"));
+  // Points that belong to no face multiply as well.
+  std::string points = "0=POLYLINE 70=64 ";
+  for (int i = 0; i < 100; ++i) points += vertex(std::to_string(i) + " 0 0");
+  EXPECT_THAT(refusal(drawing("0=INSERT 2=a 10=0 20=0 70=1000 71=1000", block("a", points + "0=SEQEND"))),
+              HasSubstr("come to over"));
 }
 
 }  // namespace
