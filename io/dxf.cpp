@@ -27,6 +27,7 @@ using mesh::Vector;
 constexpr std::uint64_t kMostInsertedFaces = 5'000'000;
 constexpr std::uint64_t kMostInsertedPoints = 4 * kMostInsertedFaces;
 constexpr std::uint64_t kMostInserts = 1'000'000;
+constexpr std::size_t kDeepestBlock = 100;
 
 /// The axes that belong to an extrusion direction. Source: Autodesk, DXF Reference, Arbitrary Axis Algorithm.
 Affine object_axes(const Vector& extrusion) {
@@ -134,6 +135,9 @@ void DxfModel::place_insert(const DxfInsert& insert, const Context& context) {
     throw InputError(path_.string(), insert.line,
                      fmt::format("the block {} holds itself", in_quotes(block->second.name)),
                      "explode one of the inserts");
+  if (inner.blocks.size() == kDeepestBlock)
+    throw InputError(path_.string(), insert.line, fmt::format("blocks hold blocks over {} deep", kDeepestBlock),
+                     "explode some of the inserts");
   inner.blocks.push_back(&block->second);
   count_inserted(block->second, static_cast<std::uint64_t>(insert.rows * insert.columns), insert.line);
   for (std::int64_t row = 0; row < insert.rows; ++row) {

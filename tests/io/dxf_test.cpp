@@ -226,6 +226,10 @@ TEST_F(Dxf, BlocksThatHoldThemselvesOrMultiplyWithoutEndAreRefused) {
               HasSubstr("the block 'a' holds itself"));
   EXPECT_THAT(refusal(drawing("0=INSERT 2=a 10=0 20=0 70=32767 71=32767", block("a", ""))),
               HasSubstr("come to over 5000000 faces or 1000000 inserts"));
+  std::string chain;
+  for (int i = 0; i < 100'000; ++i)
+    chain += block("b" + std::to_string(i), "0=INSERT 2=b" + std::to_string(i + 1) + " 10=0 20=0");
+  EXPECT_THAT(refusal(drawing("0=INSERT 2=b0 10=0 20=0", chain)), HasSubstr("blocks hold blocks over 100 deep"));
   // Points that belong to no face multiply as well.
   std::string points = "0=POLYLINE 70=64 ";
   for (int i = 0; i < 100; ++i) points += vertex(std::to_string(i) + " 0 0");
