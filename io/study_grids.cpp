@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestName = 100;  // with any ending, a file name that every file system takes
 
 /// Names of results that are there whatever the grids are called.
-constexpr std::array<std::string_view, 6> kOtherResults{"summary",  "surfaces", "discontinuities",
-                                                        "solution", "result",   "previous"};
+constexpr std::array<std::string_view, 7> kOtherResults{"summary",  "surfaces", "discontinuities", "solution", "result",
+                                                        "previous", "leaks"};
 
 void check_name(const StudyValue& grid, const std::string& name, std::set<std::string>& taken) {
   const StudyValue* value = grid.find("name");
@@ -88,6 +88,12 @@ void read_layout(const StudyValue& table, const mesh::Model& model, lighting::Gr
   if (table.find("margin")->is_number()) grid.margin_m = table.find("margin")->number;
 }
 
+/// Whether nobody asked for this grid, but at most for its spacing and the like on the command line: each room gets one then.
+bool is_default(const StudyValue& grid) {
+  const bool in_study = !grid.file.empty() && !grid.file.starts_with("--set ");
+  return !in_study && grid.find("name")->file.empty() && grid.find("surface")->file.empty();
+}
+
 }  // namespace
 
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
@@ -100,6 +106,7 @@ void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study
       read_points(table, *points, place, grid);
     } else {
       read_layout(table, study.model, grid);
+      grid.by_room = is_default(table);
     }
     study.grids.push_back(std::move(grid));
   }

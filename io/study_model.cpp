@@ -37,8 +37,10 @@ ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::
   if (place.names_up) format.up = text_or(table, "up", "z") == "y" ? UpAxis::kY : UpAxis::kZ;
   ModelFile model = read_model(path, format);
   study.model = std::move(model.model);
+  for (const ModelSpace& space : model.spaces) study.spaces.push_back({space.name, space.boundary});
   study.north_deg = number_or(table, "north", 0.0);
   study.clean.repair = repair_of(text_or(table, "repair", "auto"));
+  if (const StudyValue* gap = table.find("gap"); gap != nullptr && gap->is_number()) study.clean.gap_m = gap->number;
   study.assumptions.insert(study.assumptions.end(), model.notices.begin(), model.notices.end());
   place.files.insert(place.files.end(), model.files.begin(), model.files.end());
   return model;

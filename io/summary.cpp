@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "io/rooms_json.h"
 #include "io/stopwatch.h"
 
 namespace clerestory::io {
@@ -156,6 +157,7 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json.update(times(results, figures));
   json["parts"] = results.surfaces.part_names;
   json["materials"] = materials(results.materials);
+  json["rooms"] = Json::parse(rooms_json(results.rooms));
   json["defects"] = defects(results.clean);
   json["assumptions"] = without_repeats(results.assumptions);
   json["notices"] = without_repeats(results.notices);

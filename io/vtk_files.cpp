@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vtk_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -251,6 +252,38 @@ void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Resul
   data->GetFieldData()->AddArray(words("material_names", results.surfaces.material_names));
   data->GetFieldData()->AddArray(words("room_names", results.surfaces.room_names));
   write_whole_file(file, vtp_bytes(data));
+}
+
+void write_leaks_vtp(const std::filesystem::path& file, const lighting::Results& results,
+                     const ResultContext& context) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  std::vector<int> room;
+  std::vector<float> area;
+  std::vector<std::string> names;
+  for (std::size_t r = 0; r < results.rooms.size(); ++r) {
+    names.push_back(results.rooms[r].name);
+    for (const mesh::RoomOpening& o : results.rooms[r].openings) {
+      if (!o.is_leak()) continue;
+      const vtkIdType id = points->InsertNextPoint(o.at.x, o.at.y, o.at.z);
+      cells->InsertNextCell(1, &id);
+      room.push_back(static_cast<int>(r));
+      area.push_back(static_cast<float>(o.area_m2));
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetCellData()->AddArray(numbers<vtkIntArray>("room", room));
+  data->GetCellData()->AddArray(numbers<vtkFloatArray>("area_m2", area));
+  add_origin(data, {"area_m2: m²"}, results, context);
+  data->GetFieldData()->AddArray(words("room_names", names));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+bool has_leaks(const lighting::Results& results) {
+  return std::ranges::any_of(results.rooms, [](const mesh::Room& room) { return !room.closed(); });
 }
 
 void write_result_vtm(const std::filesystem::path& file, const std::vector<VtmEntry>& entries) {

@@ -29,6 +29,14 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
 void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,
                         const ResultContext& context);
 
+/// Writes where the rooms are not closed as VTK XML points (.vtp), one a hole to the outside, at its middle. Cell data: `room` (an
+/// index into the field array `room_names`), `area_m2`. Field data as in write_surfaces_vtp().
+/// Throws MachineError when the file cannot be written whole.
+void write_leaks_vtp(const std::filesystem::path& file, const lighting::Results& results, const ResultContext& context);
+
+/// Whether write_leaks_vtp() has anything to write.
+bool has_leaks(const lighting::Results& results);
+
 /// One file that a collection opens.
 struct VtmEntry {
   std::string block;  ///< the name that ParaView shows

@@ -13,7 +13,8 @@
 
 namespace clerestory::io {
 
-/// The names that the files of a study's results have, for check_result_folder(). `file` is the study's, for messages.
+/// The names that the files of a study's results have, for check_result_folder(); not those of leaks, and of grids named
+/// after rooms, which only the run finds. `file` is the study's, for messages.
 /// Throws InputError for grid names that no file can have, and for grids that would share a file.
 std::vector<std::string> result_names(const lighting::Study& study, const std::filesystem::path& file);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mesh/error.h"
 
@@ -54,6 +55,13 @@ void add_cell(const GridSurface& surface, const Axis& x, const Axis& y, std::siz
   sensors.cells.push_back({at(cx - hx, cy - hy), at(cx + hx, cy - hy), at(cx + hx, cy + hy), at(cx - hx, cy + hy)});
 }
 
+void add_outlines(const GridRequest& request, const GridSurface& surface, Sensors& sensors) {
+  for (auto loop : surface.loops) {
+    for (Point& p : loop) p = surface.to_local({p.x, p.y, p.z + request.height_m});
+    sensors.outlines.push_back(std::move(loop));
+  }
+}
+
 }  // namespace
 
 double en12464_spacing_m(double side_a_m, double side_b_m) {
@@ -86,10 +94,25 @@ void lay_out(const GridRequest& request, const GridSurface& surface, Sensors& se
       add_cell(surface, x, y, i, j, request.height_m, sensors);
     }
   }
-  for (auto loop : surface.loops) {
-    for (Point& p : loop) p = surface.to_local({p.x, p.y, p.z + request.height_m});
-    sensors.outlines.push_back(std::move(loop));
+  add_outlines(request, surface, sensors);
+}
+
+void lay_out_middle(const GridRequest& request, const GridSurface& surface, Sensors& sensors) {
+  constexpr std::size_t kTries = 24;  // along each side
+  const mesh::Vector size = surface.box.size();
+  Point best = surface.box.centre();
+  double widest = 0.0;
+  for (std::size_t k = 0; k < kTries * kTries; ++k) {
+    const double x = surface.box.low.x + (static_cast<double>(k % kTries) + 0.5) / kTries * size.x;
+    const double y = surface.box.low.y + (static_cast<double>(k / kTries) + 0.5) / kTries * size.y;
+    const double distance = surface.contains(x, y) ? surface.distance_to_outline(x, y) : 0.0;
+    if (distance <= widest) continue;
+    widest = distance;
+    best = {x, y, 0.0};
   }
+  const double half = std::numbers::sqrt2 / 2.0 * widest;  // the square within the circle that touches the outline
+  add_cell(surface, {best.x - half, 2.0 * half, 1}, {best.y - half, 2.0 * half, 1}, 0, 0, request.height_m, sensors);
+  add_outlines(request, surface, sensors);
 }
 
 }  // namespace clerestory::lighting

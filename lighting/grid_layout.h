@@ -20,6 +20,10 @@ double margin_m(const GridRequest& request, double smaller_width_m);
 /// Throws InputError when the spacing would give millions of cells.
 void lay_out(const GridRequest& request, const GridSurface& surface, Sensors& sensors);
 
+/// Adds one sensor where a surface is widest, with a cell of its own there: for surfaces so narrow that lay_out() finds no place.
+/// Local coordinates [m].
+void lay_out_middle(const GridRequest& request, const GridSurface& surface, Sensors& sensors);
+
 /// The cells of given points that form a rectangular lattice, gaps allowed; nothing when they do not.
 std::vector<std::array<mesh::Point, 4>> lattice_cells(const std::vector<mesh::Point>& points,
                                                       const std::vector<mesh::Vector>& normals);

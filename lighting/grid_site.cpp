@@ -52,11 +52,12 @@ bool looks_solid(const GridSite& site, const mesh::Point& from) {
 
 }  // namespace
 
-GridSite::GridSite(const mesh::Faces& f, const mesh::Rays& r, const std::vector<std::uint8_t>& reachable_sides)
-    : faces(f),
-      rays(r),
-      regions(mesh::number_regions(f)),
-      reachable(mesh::reachable_triangles(f, r, reachable_sides)) {}
+GridSite::GridSite(const SensorPlaces& places)
+    : faces(places.faces),
+      rays(places.rays),
+      rooms(places.rooms),
+      regions(mesh::number_regions(places.faces, places.rooms.floor_of)),
+      reachable(mesh::reachable_triangles(places.faces, places.rays, places.reachable)) {}
 
 double GridSite::free_way(const mesh::Point& from, const mesh::Vector& direction) const {
   const mesh::Hit hit = rays.first_hit({from, direction});

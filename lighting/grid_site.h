@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lighting/grids.h"
 #include "mesh/faces.h"
 #include "mesh/rays.h"
 #include "mesh/regions.h"
@@ -14,10 +15,17 @@ namespace clerestory::lighting {
 struct GridSite {
   const mesh::Faces& faces;
   const mesh::Rays& rays;
-  mesh::Regions regions;
+  const mesh::Rooms& rooms;
+  mesh::Regions regions;                ///< divided where a floor goes on from room to room
   std::vector<std::uint8_t> reachable;  ///< [2 a triangle of the shape] as mesh::reachable_triangles
 
-  GridSite(const mesh::Faces& faces, const mesh::Rays& rays, const std::vector<std::uint8_t>& reachable_sides);
+  explicit GridSite(const SensorPlaces& places);
+
+  /// The room whose floor a region is, or mesh::kNoRoom.
+  [[nodiscard]] std::uint32_t floor_room(std::uint32_t region) const {
+    const auto triangles = regions.of(region);
+    return triangles.empty() ? mesh::kNoRoom : rooms.floor_of[triangles.front()];
+  }
 
   [[nodiscard]] bool reaches(std::uint32_t triangle, mesh::Side side) const {
     return reachable[2 * std::size_t{triangle} + static_cast<std::size_t>(side)] != 0;

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <numeric>
 #include <set>
+#include <string_view>
 
 #include "lighting/grid_layout.h"
 #include "lighting/sensor_surfaces.h"
@@ -19,6 +21,14 @@ namespace {
 
 constexpr const char* kRooms = "rooms";
 constexpr std::size_t kNamesInMessage = 3;
+/// Names that other results have.
+const std::set<std::string> kOtherNames{"summary",  "surfaces", "discontinuities", "solution", "result",
+                                        "previous", "leaks"};
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
 
 /// How many letters must be changed, added or dropped to make one word of the other [Levenshtein 1966].
 std::size_t letters_apart(const std::string& a, const std::string& b) {
@@ -67,13 +77,29 @@ void check(const GridRequest& request) {
   }
 }
 
+/// The rooms that get sensors: those that light reaches; where it reaches none, all.
+std::vector<std::uint32_t> rooms_for_sensors(const GridSite& site) {
+  std::vector<std::uint32_t> all(site.rooms.rooms.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint32_t> lit;
+  std::ranges::copy_if(all, std::back_inserter(lit), [&](std::uint32_t r) { return light_reaches(site, r); });
+  return lit.empty() ? all : lit;
+}
+
+[[noreturn]] void refuse_rooms(const GridSite& site, const GridRequest& request) {
+  refuse(request, "no room is found: nothing encloses a floor with 1.8 m of free height",
+         "name the part or material of the floor, " + quoted_list(nearest_names(site.faces, "floor")));
+}
+
 std::vector<GridSurface> surfaces_of(const GridSite& site, const RegionGraph& graph, const GridRequest& request,
                                      const std::string& name) {
   if (name == kRooms) {
-    auto rooms = room_floors(site, graph, request.height_m);
-    if (!rooms.empty()) return rooms;
-    refuse(request, "no room is found: no floor has a roof and 1.8 m of free height",
-           "name the part or material of the floor, " + quoted_list(nearest_names(site.faces, "floor")));
+    std::vector<GridSurface> floors;
+    for (const std::uint32_t room : rooms_for_sensors(site)) {
+      std::ranges::move(room_floors(site, graph, room, request.height_m), std::back_inserter(floors));
+    }
+    if (floors.empty()) refuse_rooms(site, request);
+    return floors;
   }
   bool fits = false;
   auto surfaces = named_surfaces(site, graph, name, request.height_m, fits);
@@ -105,8 +131,7 @@ void tidy(const GridRequest& request, std::vector<GridSurface>& surfaces) {
   if (!std::ranges::all_of(surfaces, narrow)) std::erase_if(surfaces, narrow);
 }
 
-Sensors on_surfaces(const GridSite& site, const GridRequest& request) {
-  const RegionGraph graph(site);
+Sensors on_surfaces(const GridSite& site, const RegionGraph& graph, const GridRequest& request) {
   std::vector<GridSurface> surfaces;
   for (const std::string& name : request.surfaces) {
     auto more = surfaces_of(site, graph, request, name);
@@ -117,9 +142,13 @@ Sensors on_surfaces(const GridSite& site, const GridRequest& request) {
   for (const GridSurface& surface : surfaces) lay_out(request, surface, sensors);
   if (sensors.count() > 0) return sensors;
   const GridSurface& largest = *std::ranges::max_element(surfaces, {}, &GridSurface::smaller_width_m);
+  if (!request.margin_m) {
+    lay_out_middle(request, largest, sensors);
+    return sensors;
+  }
   refuse(request,
          fmt::format("a margin of {:.3g} m leaves no place for a sensor on the largest surface, {:.4g} x {:.4g} m",
-                     margin_m(request, largest.smaller_width_m()), largest.box.size().x, largest.box.size().y),
+                     *request.margin_m, largest.box.size().x, largest.box.size().y),
          "reduce the margin or the spacing");
 }
 
@@ -138,31 +167,92 @@ void keep(std::vector<T>& values, const std::vector<std::uint32_t>& which) {
   values.resize(which.size());
 }
 
-void leave_out_solids(const GridSite& site, const GridRequest& request, Sensors& sensors) {
+void leave_out_solids(const GridSite& site, Sensors& sensors) {
   const std::size_t asked = sensors.count();
   for (std::uint32_t i = 0; i < asked; ++i) {
     if (!inside_solid(site, sensors.positions[i], sensors.normals[i])) sensors.ids.push_back(i);
   }
   sensors.left_out = asked - sensors.ids.size();
-  if (sensors.ids.empty()) {
-    refuse(request, fmt::format("all {} sensors lie inside solids", asked),
-           request.points.empty() ? fmt::format("change the height, {:g} m", request.height_m) : "move the points");
-  }
   keep(sensors.positions, sensors.ids);
   keep(sensors.normals, sensors.ids);
   if (!sensors.cells.empty()) keep(sensors.cells, sensors.ids);
 }
 
+void number(Sensors& sensors) { std::iota(sensors.ids.begin(), sensors.ids.end(), 0U); }
+
+Sensors place_one(const GridSite& site, const GridRequest& request) {
+  Sensors sensors =
+      request.points.empty() ? on_surfaces(site, RegionGraph(site), request) : at_points(site.faces, request);
+  leave_out_solids(site, sensors);
+  if (sensors.count() == 0) {
+    refuse(request, fmt::format("all {} sensors lie inside solids", sensors.left_out),
+           request.points.empty() ? fmt::format("change the height, {:g} m", request.height_m) : "move the points");
+  }
+  if (request.points.empty()) number(sensors);
+  return sensors;
+}
+
+/// The floor of one room, with a sensor at least where there is floor at all and it is not within a solid.
+Sensors place_in_room(const GridSite& site, const RegionGraph& graph, const GridRequest& request, std::uint32_t room) {
+  auto surfaces = room_floors(site, graph, room, request.height_m);
+  Sensors sensors;
+  if (surfaces.empty()) return sensors;
+  tidy(request, surfaces);
+  for (const GridSurface& surface : surfaces) lay_out(request, surface, sensors);
+  if (sensors.count() == 0) {
+    lay_out_middle(request, *std::ranges::max_element(surfaces, {}, &GridSurface::smaller_width_m), sensors);
+  }
+  leave_out_solids(site, sensors);
+  number(sensors);
+  return sensors;
+}
+
+/// The room's name as one that a file can have too, and no other grid has.
+std::string name_for(const std::string& room, std::set<std::string>& taken) {
+  constexpr std::size_t kLongest = 80;  // bytes: any ending fits behind it
+  std::string name = room.substr(0, kLongest);
+  while (name.size() < room.size() && !name.empty() && (static_cast<unsigned char>(room[name.size()]) & 0xC0U) == 0x80U)
+    name.pop_back();  // not within a letter
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || std::string_view("/\\<>:\"|?*\x7f").find(c) != std::string_view::npos)
+      c = '-';
+  }
+  if (name.empty() || name.front() == '.' || kOtherNames.contains(lower(name))) name = "room " + name;
+  const std::string first = name;
+  for (int n = 2; !taken.insert(lower(name)).second; ++n) name = fmt::format("{} ({})", first, n);
+  return name;
+}
+
+std::vector<NamedSensors> place_by_room(const GridSite& site, const GridRequest& request,
+                                        std::vector<std::string>& notices) {
+  const RegionGraph graph(site);
+  const auto lit = rooms_for_sensors(site);
+  std::vector<NamedSensors> grids;
+  std::set<std::string> taken;
+  for (std::uint32_t room = 0; room < site.rooms.rooms.size(); ++room) {
+    const std::string& name = site.rooms.rooms[room].name;
+    if (!std::ranges::binary_search(lit, room)) {
+      notices.push_back(fmt::format("{} has no grid: no light reaches it", name));
+      continue;
+    }
+    Sensors sensors = place_in_room(site, graph, request, room);
+    if (sensors.count() == 0)
+      notices.push_back(fmt::format("{} has no grid: its floor has no place for a sensor", name));
+    else
+      grids.push_back({name_for(name, taken), std::move(sensors)});
+  }
+  if (grids.empty()) refuse_rooms(site, request);
+  return grids;
+}
+
 }  // namespace
 
-Sensors place_sensors(const GridRequest& request, const mesh::Faces& faces, const mesh::Rays& rays,
-                      const std::vector<std::uint8_t>& reachable) {
+std::vector<NamedSensors> place_sensors(const GridRequest& request, const SensorPlaces& places,
+                                        std::vector<std::string>& notices) {
   check(request);
-  const GridSite site(faces, rays, reachable);
-  Sensors sensors = request.points.empty() ? on_surfaces(site, request) : at_points(faces, request);
-  leave_out_solids(site, request, sensors);
-  if (request.points.empty()) std::iota(sensors.ids.begin(), sensors.ids.end(), 0U);
-  return sensors;
+  const GridSite site(places);
+  if (request.by_room) return place_by_room(site, request, notices);
+  return {{request.name, place_one(site, request)}};
 }
 
 }  // namespace clerestory::lighting

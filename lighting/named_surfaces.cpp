@@ -142,13 +142,17 @@ std::vector<GridSurface> named_surfaces(const GridSite& site, const RegionGraph&
   const Choice& chosen = use_upright ? upright : level;
 
   const auto may_join = [&](std::uint32_t r) {
-    if (use_upright || fitting[r] == 0 || !near_horizontal(site, r) || site.regions.area_m2[r] <= 0.0) return false;
+    if (use_upright || !near_horizontal(site, r) || site.regions.area_m2[r] <= 0.0) return false;
+    // Below furniture a floor goes on, whosever polygon the clean-up kept of the two that lie there.
+    const bool hidden = site.floor_room(r) != mesh::kNoRoom && !site.region_reachable(r, upper_side(site, r));
+    if (fitting[r] == 0 && !hidden) return false;
     const mesh::RegionPoints points(site.faces, site.regions, r);
     return !inside_solid(site, points.at(0) + std::max(height_m, site.rays.offset_m()) * kUp, kUp);
   };
-  const auto joined =
-      graph.join(chosen.regions,
-                 {.may_join = may_join, .side = [&](std::uint32_t r) { return chosen.side[r]; }, .height_m = height_m});
+  const auto joined = graph.join(
+      chosen.regions, {.may_join = may_join,
+                       .side = [&](std::uint32_t r) { return use_upright ? chosen.side[r] : upper_side(site, r); },
+                       .height_m = height_m});
   std::vector<GridSurface> surfaces;
   for (const auto& regions : joined) {
     const Vector look = look_of(site, regions.front(), chosen.side[regions.front()]);

@@ -75,13 +75,23 @@ Vector look_of(const GridSite& site, std::uint32_t region, mesh::Side side) {
 RegionGraph::RegionGraph(const GridSite& site) : site_(site) {
   const auto place_of = number_places(site.faces.shape.vertices, places_);
   const auto& triangles = site.faces.shape.triangles;
+  const auto edge_of = [&](std::uint32_t t, std::size_t k) {
+    return std::pair(place_of[triangles[t].vertices[k]], place_of[triangles[t].vertices[(k + 1) % 3]]);
+  };
   for (std::uint32_t r = 0; r < site.regions.count(); ++r) {
     starts_.push_back(static_cast<std::uint32_t>(edges_of_region_.size()));
+    Directed inner;
     for (const std::uint32_t t : site.regions.of(r)) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if ((triangles[t].constrained >> k & 1) == 0) continue;
-        edges_of_region_.push_back(
-            {place_of[triangles[t].vertices[k]], place_of[triangles[t].vertices[(k + 1) % 3]], r});
+        if ((triangles[t].constrained >> k & 1) == 0) inner.insert(edge_of(t, k));
+      }
+    }
+    for (const std::uint32_t t : site.regions.of(r)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [from, to] = edge_of(t, k);
+        // Where nothing but the rooms divides a face, the edge is constrained for none of the two.
+        const bool border = (triangles[t].constrained >> k & 1) != 0 || !inner.contains({to, from});
+        if (border) edges_of_region_.push_back({from, to, r});
       }
     }
   }

@@ -9,6 +9,7 @@
 
 #include "mesh/clean.h"
 #include "mesh/geometry.h"
+#include "mesh/rooms.h"
 
 namespace clerestory::lighting {
 
@@ -97,6 +98,7 @@ struct PhaseTime {
 struct Results {
   std::vector<GridResult> grids;
   SurfaceResult surfaces;
+  std::vector<mesh::Room> rooms;  ///< boxes and openings in model coordinates
   EnergyBalance energy;
   mesh::CleanReport clean;
   struct Counts {

@@ -61,15 +61,18 @@ struct AllSensors {
   std::vector<mesh::Vector> normals;
 };
 
-AllSensors place_all(const Study& study, const Scene& scene, Results& results) {
+AllSensors place_all(const Study& study, Scene& scene, Results& results) {
   AllSensors all;
+  const SensorPlaces places{scene.faces, *scene.rays, scene.reachable, scene.rooms};
   for (const GridRequest& request : study.grids) {
-    GridResult grid;
-    grid.name = request.name;
-    grid.sensors = place_sensors(request, scene.faces, *scene.rays, scene.reachable);
-    all.positions.insert(all.positions.end(), grid.sensors.positions.begin(), grid.sensors.positions.end());
-    all.normals.insert(all.normals.end(), grid.sensors.normals.begin(), grid.sensors.normals.end());
-    results.grids.push_back(std::move(grid));
+    for (NamedSensors& placed : place_sensors(request, places, scene.notices)) {
+      GridResult grid;
+      grid.name = std::move(placed.name);
+      grid.sensors = std::move(placed.sensors);
+      all.positions.insert(all.positions.end(), grid.sensors.positions.begin(), grid.sensors.positions.end());
+      all.normals.insert(all.normals.end(), grid.sensors.normals.begin(), grid.sensors.normals.end());
+      results.grids.push_back(std::move(grid));
+    }
   }
   return all;
 }
@@ -103,7 +106,17 @@ void evaluate(const Study& study, const Solution& solution, GridResult& grid, st
   grid.metrics = grid_metrics(grid, study.accuracy.target);
 }
 
+std::vector<mesh::Room> rooms_in_model_coordinates(const Scene& scene) {
+  std::vector<mesh::Room> rooms = scene.rooms.rooms;
+  for (mesh::Room& room : rooms) {
+    room.box = {room.box.low + scene.faces.origin, room.box.high + scene.faces.origin};
+    for (mesh::RoomOpening& opening : room.openings) opening.at = opening.at + scene.faces.origin;
+  }
+  return rooms;
+}
+
 void conclude(const Study& study, const Scene& scene, Results& results) {
+  results.rooms = rooms_in_model_coordinates(scene);
   results.clean = scene.clean_report;
   results.materials = scene.materials;
   results.assumptions = scene.assumptions;
@@ -142,7 +155,7 @@ Results run(const Study& study, Progress& progress) {
   Results results;
   Clock clock(results.phases);
   clock.begin("cleaning the model", progress);
-  const Scene scene = build_scene(study);
+  Scene scene = build_scene(study);
 
   clock.begin("placing sensors", progress);
   const AllSensors sensors = place_all(study, scene, results);

@@ -205,6 +205,17 @@ void find_reachable(Scene& scene) {
   }
 }
 
+void find_rooms(const Study& study, Scene& scene) {
+  std::vector<std::uint8_t> glazing;
+  std::vector<std::uint8_t> air;
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    glazing.push_back(scene.glazing_of[f] >= 0 ? 1 : 0);
+    air.push_back(scene.passable[f] != 0 && scene.glazing_of[f] < 0 ? 1 : 0);
+  }
+  scene.rooms = mesh::find_rooms(scene.faces, *scene.rays,
+                                 {.glazing = glazing, .air = air, .reached = scene.reachable, .spaces = study.spaces});
+}
+
 void say_what_lights(Scene& scene) {
   const bool lamps = !scene.point_sources.empty() ||
                      std::any_of(scene.exitance.begin(), scene.exitance.end(), [](float m) { return m > 0.0F; });
@@ -242,6 +253,7 @@ Scene build_scene(const Study& study) {
   fill_exitances(study, scene);
   find_reachable(scene);
   find_openings(scene);
+  find_rooms(study, scene);
   for (const Material& m : study.materials) scene.materials.push_back({m.name, m.became, m.why});
   for (const GlazingCurves& g : scene.glazings) {
     if (g.transmittance.back() > 0.918F) {

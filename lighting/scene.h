@@ -13,6 +13,7 @@
 #include "lighting/study.h"
 #include "mesh/faces.h"
 #include "mesh/rays.h"
+#include "mesh/rooms.h"
 #include "mesh/shafts.h"
 
 namespace clerestory::lighting {
@@ -43,6 +44,7 @@ struct Scene {
   std::vector<GlazingCurves> glazings;
   std::vector<Opening> openings;
   std::vector<std::int32_t> opening_of;  ///< [faces] index into openings, -1 for the others
+  mesh::Rooms rooms;
 
   Sky sky;
   std::vector<PointSource> point_sources;  ///< local coordinates

@@ -8,10 +8,12 @@
 
 namespace clerestory::lighting {
 
-/// The floors of rooms: level regions that light can reach (where it reaches none, the dark ones), with a roof and at
-/// least 1.8 m of free height, joined over edges that nothing stands on higher than the sensors, of 2 m² and more; but not the tops
-/// of tables, beds and counters, over whose edges one falls on a lower floor.
-std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& graph, double height_m);
+/// The floor of a room: level regions joined over edges that nothing stands on higher than the sensors, with what low furniture covers.
+std::vector<GridSurface> room_floors(const GridSite& site, const RegionGraph& graph, std::uint32_t room,
+                                     double height_m);
+
+/// Whether light reaches any part of a room's floor.
+bool light_reaches(const GridSite& site, std::uint32_t room);
 
 /// The surfaces of the parts and materials that a name or glob fits.
 /// Either their near-horizontal surfaces, where the space above is free up to the sensors, or, where the other ones have more than

@@ -11,6 +11,7 @@
 #include "mesh/clean.h"
 #include "mesh/geometry.h"
 #include "mesh/model.h"
+#include "mesh/rooms.h"
 
 namespace clerestory::lighting {
 
@@ -35,6 +36,8 @@ struct GridRequest {
   double spacing_m = 0.25;
   bool en12464_spacing = false;
   std::optional<double> margin_m;  ///< none: the smaller of 0.5 m and 15 % of the room's smaller width
+  /// Whether each room gets a grid of its own with the name of the room, in place of one for all; surfaces are "rooms" then.
+  bool by_room = false;
 };
 
 /// The one number that the user asks for, and what tests may vary.
@@ -50,6 +53,7 @@ struct Study {
   Kind kind = Kind::kIlluminance;
   std::string name;                 ///< stem of the study or model file
   mesh::Model model;                ///< metres, z up, model coordinates
+  std::vector<mesh::Space> spaces;  ///< what the model's file calls rooms, model coordinates
   std::vector<Material> materials;  ///< one a model material, in the model's order
   mesh::CleanOptions clean;
   Sky sky;

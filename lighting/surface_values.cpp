@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <utility>
+
+#include "lighting/parallel.h"
 
 namespace clerestory::lighting {
 
@@ -34,6 +37,7 @@ class SurfaceWriter {
   explicit SurfaceWriter(const Solution& solution) : solution_(solution), tree_(solution.tree()) {
     result_.part_names = solution.scene().faces.part_names;
     result_.material_names = solution.scene().faces.material_names;
+    for (const mesh::Room& room : solution.scene().rooms.rooms) result_.room_names.push_back(room.name);
   }
 
   SurfaceResult write() {
@@ -43,6 +47,7 @@ class SurfaceWriter {
       const ElementId root = tree_.root(e);
       for (const ElementId t : triangles) add_cell(e, t, root);
     }
+    find_rooms();
     for (std::size_t i = 0; i < result_.points.size(); ++i) {
       result_.point_illuminance_lux.push_back(static_cast<float>(sums_[i] / weights_[i]));
     }
@@ -101,13 +106,27 @@ class SurfaceWriter {
     result_.level.push_back(tree_.level(triangle));
     result_.part.push_back(static_cast<std::int32_t>(face.part.value));
     result_.material.push_back(static_cast<std::int32_t>(face.material.value));
-    result_.room.push_back(-1);
+    looks_.push_back({tree_.centroid(triangle), tree_.normal(element)});
+  }
+
+  void find_rooms() {
+    const Scene& scene = solution_.scene();
+    result_.room.resize(looks_.size());
+    parallel_for(
+        looks_.size(),
+        [&](std::size_t i) {
+          const auto& [at, normal] = looks_[i];
+          const std::uint32_t room = mesh::room_before(scene.rooms, *scene.rays, at, normal);
+          result_.room[i] = room == mesh::kNoRoom ? -1 : static_cast<std::int32_t>(room);
+        },
+        256);
   }
 
   const Solution& solution_;
   const mesh::ElementTree& tree_;
   SurfaceResult result_;
   std::map<std::array<std::int64_t, 4>, std::uint32_t> points_;
+  std::vector<std::pair<Point, Vector>> looks_;  // centroid and normal of each cell
   std::vector<double> sums_;
   std::vector<double> weights_;
 };

@@ -2,7 +2,9 @@
 #include "mesh/regions.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -16,14 +18,19 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 double triangle_area(const std::array<Point, 3>& c) { return 0.5 * norm(cross(c[1] - c[0], c[2] - c[0])); }
 
-/// Regions of one face in the order of their numbers; a number that no triangle has gets an empty region.
-void number_face(const Faces& faces, FaceId face, Regions& regions) {
-  const auto first = static_cast<std::uint32_t>(regions.count());
-  const auto triangles = faces.shape.of(face);
-  std::uint32_t count = 0;
-  for (const Triangle& t : triangles) count = std::max(count, t.region + 1);
-  regions.face.resize(first + count, face);
-  for (const Triangle& t : triangles) regions.of_triangle.push_back(first + t.region);
+/// Regions of one face in the order of their numbers, and of labels within.
+void number_face(const Faces& faces, FaceId face, std::span<const std::uint32_t> labels, Regions& regions) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
+  const std::uint32_t begin = faces.shape.starts[face.index()];
+  const std::uint32_t end = faces.shape.starts[face.index() + 1];
+  const auto key = [&](std::uint32_t t) {
+    return std::pair(faces.shape.triangles[t].region, labels.empty() ? 0U : labels[t]);
+  };
+  for (std::uint32_t t = begin; t < end; ++t) number[key(t)] = 0;
+  auto next = static_cast<std::uint32_t>(regions.count());
+  for (auto& [region, n] : number) n = next++;
+  regions.face.resize(next, face);
+  for (std::uint32_t t = begin; t < end; ++t) regions.of_triangle.push_back(number[key(t)]);
 }
 
 void group_triangles(Regions& regions) {
@@ -54,10 +61,11 @@ void measure(const Faces& faces, Regions& regions) {
 
 }  // namespace
 
-Regions number_regions(const Faces& faces) {
+Regions number_regions(const Faces& faces, std::span<const std::uint32_t> labels) {
+  assert(labels.empty() || labels.size() == faces.shape.triangles.size());
   Regions regions;
   regions.of_triangle.reserve(faces.shape.triangles.size());
-  for (std::size_t f = 0; f < faces.count(); ++f) number_face(faces, FaceId(f), regions);
+  for (std::size_t f = 0; f < faces.count(); ++f) number_face(faces, FaceId(f), labels, regions);
   group_triangles(regions);
   measure(faces, regions);
   return regions;

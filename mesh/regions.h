@@ -28,7 +28,9 @@ struct Regions {
   }
 };
 
-Regions number_regions(const Faces& faces);
+/// @param labels  [triangles of the shape] what divides regions further, such as the rooms of a floor that goes on below an open
+///                door; empty: nothing
+Regions number_regions(const Faces& faces, std::span<const std::uint32_t> labels = {});
 
 /// The corners of a triangle of the shape.
 std::array<Point, 3> corners(const Faces& faces, std::uint32_t triangle);

@@ -177,10 +177,7 @@ void name(std::vector<Room>& rooms) {
 
 }  // namespace
 
-bool Room::closed() const {
-  return std::ranges::none_of(
-      openings, [](const RoomOpening& o) { return o.kind == RoomOpening::Kind::kHole && o.beyond == kNoRoom; });
-}
+bool Room::closed() const { return std::ranges::none_of(openings, &RoomOpening::is_leak); }
 
 Rooms find_rooms(const Faces& faces, const Rays& rays, const RoomSearch& search) {
   const RoomDrafts drafts = draft_rooms(faces);

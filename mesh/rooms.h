@@ -37,6 +37,9 @@ struct RoomOpening {
   std::uint32_t beyond = kNoRoom;  ///< the room on its other side; kNoRoom: the outside
   double area_m2 = 0.0;            ///< of a hole, as far as the raster tells
   Point at;                        ///< its middle [m, local]
+
+  /// Whether a room is not closed there.
+  [[nodiscard]] bool is_leak() const { return kind == Kind::kHole && beyond == kNoRoom; }
 };
 
 struct Room {

@@ -30,10 +30,12 @@ struct Site {
       : faces(mesh::build_faces(mesh::clean(model, {}))), rays(faces) {
     for (Point& lamp : lamps) lamp = lamp - faces.origin;
     reachable = mesh::reachable_sides(faces, rays, {}, lamps);
+    rooms = mesh::find_rooms(faces, rays, {.reached = reachable});
   }
   /// Sensors in model coordinates.
   [[nodiscard]] Sensors place(const GridRequest& request) const {
-    Sensors sensors = place_sensors(request, faces, rays, reachable);
+    std::vector<std::string> unread;
+    Sensors sensors = place_sensors(request, {faces, rays, reachable, rooms}, unread).at(0).sensors;
     for (Point& p : sensors.positions) p = p + faces.origin;
     for (auto& cell : sensors.cells) {
       for (Point& p : cell) p = p + faces.origin;
@@ -42,6 +44,15 @@ struct Site {
       for (Point& p : loop) p = p + faces.origin;
     }
     return sensors;
+  }
+  /// One grid a room, local coordinates.
+  std::vector<NamedSensors> place_by_room(double spacing_m, std::optional<double> margin_m = {}) {
+    GridRequest request;
+    request.surfaces = {"rooms"};
+    request.spacing_m = spacing_m;
+    request.margin_m = margin_m;
+    request.by_room = true;
+    return place_sensors(request, {faces, rays, reachable, rooms}, notices);
   }
   [[nodiscard]] std::string refusal(const GridRequest& request) const {
     try {
@@ -55,6 +66,8 @@ struct Site {
   mesh::Faces faces;
   mesh::Rays rays;
   std::vector<std::uint8_t> reachable;
+  mesh::Rooms rooms;
+  std::vector<std::string> notices;
 };
 
 GridRequest on(const std::string& surface, double spacing_m = 0.25, std::optional<double> margin_m = 0.0) {
@@ -366,6 +379,64 @@ TEST(Grid, AGridInsideAWallIsRefused) {
 
 TEST(Grid, ASpacingOfMillionsOfCellsIsRefused) {
   EXPECT_THAT(Site(support::box_room(6, 8, 3)).refusal(on("rooms", 1e-4)), HasSubstr("larger spacing"));
+}
+
+/// Two rooms of 3 m x 4 m x 3 m with a wall of 0.2 m between, and in it a doorway of 0.9 m x 2.1 m. One floor for all.
+mesh::Model rooms_with_open_door() {
+  mesh::Model model = support::box_room(6.2, 4, 3);
+  add_box(model, {3, 0, 0}, {3.2, 1, 3}, {"plaster", "partition"});
+  add_box(model, {3, 1.9, 0}, {3.2, 4, 3}, {"plaster", "partition"});
+  add_box(model, {3, 1, 2.1}, {3.2, 1.9, 3}, {"plaster", "partition"});
+  return model;
+}
+
+TEST(Grid, EachRoomGetsOneOfItsOwnNamedAfterIt) {
+  Site site(rooms_with_open_door(), {{1.5, 2, 2.5}});
+  const auto grids = site.place_by_room(0.5, 0.0);
+  ASSERT_EQ(grids.size(), 2U);
+  EXPECT_EQ(grids[0].name, "room 1");
+  EXPECT_EQ(grids[1].name, "room 2");
+  for (const NamedSensors& grid : grids) {
+    EXPECT_EQ(grid.sensors.count(), 6U * 8U);
+    ASSERT_EQ(grid.sensors.outlines.size(), 1U);
+    EXPECT_NEAR(area_of(grid.sensors.outlines[0]), 12.0, 1e-6);
+  }
+  EXPECT_TRUE(site.notices.empty());
+}
+
+TEST(Grid, RoomsWithOneNameGetGridsThatFilesCanTell) {
+  Site site(rooms_with_open_door(), {{1.5, 2, 2.5}});
+  site.rooms.rooms[0].name = "WC 1/2";
+  site.rooms.rooms[1].name = "wc 1/2";
+  auto grids = site.place_by_room(0.5);
+  EXPECT_EQ(grids.at(0).name, "WC 1-2");
+  EXPECT_EQ(grids.at(1).name, "wc 1-2 (2)");
+  site.rooms.rooms[0].name = "Result";
+  grids = site.place_by_room(0.5);
+  EXPECT_EQ(grids.at(0).name, "room Result");
+}
+
+TEST(Grid, ARoomWithoutLightIsNamedAsLeftOut) {
+  Site site(support::two_rooms_with_thin_wall({.thickness_m = 0.1}), {{1.5, 2, 2}});
+  EXPECT_EQ(site.place_by_room(0.5).size(), 1U);
+  ASSERT_EQ(site.notices.size(), 1U);
+  EXPECT_THAT(site.notices[0], HasSubstr("room 2 has no grid"));
+}
+
+TEST(Grid, ARoomThatTheMarginEatsGetsOneSensorInItsMiddle) {
+  // An L whose legs are narrower than twice the margin that its extent asks for.
+  mesh::Model narrow;
+  support::add_prism(narrow,
+                     std::vector<Point>{{0, 0, 0}, {5, 0, 0}, {5, 0.9, 0}, {0.9, 0.9, 0}, {0.9, 5, 0}, {0, 5, 0}}, 0.0,
+                     2.5, {"wall", "passage"}, support::Fronts::kInward);
+  Site site(narrow, {{0.4, 0.4, 2}});
+  const auto grids = site.place_by_room(0.25);
+  ASSERT_EQ(grids.size(), 1U);
+  ASSERT_EQ(grids[0].sensors.count(), 1U);
+  EXPECT_EQ(grids[0].sensors.cells.size(), 1U);
+  const Point p = grids[0].sensors.positions[0] + site.faces.origin;
+  EXPECT_TRUE(p.x < 0.9 || p.y < 0.9);
+  EXPECT_NEAR(p.z, 0.8, 1e-9);
 }
 
 TEST(Grid, WithoutARoofThereIsNoRoom) {

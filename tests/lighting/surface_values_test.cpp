@@ -72,7 +72,7 @@ TEST(SurfaceValues, OfTheFurnaceAreItsOwnWithinTheAccuracy) {
     EXPECT_NEAR(s.radiosity_lm_m2[i], front ? 40.0 : 0.0, 0.8);
     EXPECT_NEAR(s.luminance_cd_m2[i], s.radiosity_lm_m2[i] / std::numbers::pi, 1e-4);
     EXPECT_FLOAT_EQ(s.reflectance[i], 0.5F);
-    EXPECT_EQ(s.room[i], -1);
+    EXPECT_EQ(s.room[i], front ? 0 : -1);
     for (const std::uint32_t p : s.cells[i]) EXPECT_NEAR(s.point_illuminance_lux[p], front ? 40.0 : 0.0, 0.8);
   }
 }
