@@ -169,6 +169,7 @@ class PlyReader {
   void read_elements(const PlyElement& element);
   void read_vertices(const PlyElement& element);
   void read_lists(const PlyElement& element, void (PlyReader::*take)());
+  double* id_of(const PlyProperty& property);
   void pass_over(const PlyProperty& property);
   std::uint64_t list_size(const PlyProperty& property);
   void take_face();
@@ -183,7 +184,15 @@ class PlyReader {
   ModelBuilder builder_;
   std::vector<double> list_;  // of the current element, as the file has it
   std::vector<std::uint32_t> corners_;
+  double part_ = -1.0;  // number of the current element; -1 for none
+  double material_ = -1.0;
 };
+
+/// Nothing for a number that has no name.
+std::optional<std::string> name_of(double id, const std::vector<std::string>& names) {
+  const bool is_named = id >= 0.0 && id < static_cast<double>(names.size()) && id == std::floor(id);
+  return is_named ? std::optional(names[static_cast<std::size_t>(id)]) : std::nullopt;
+}
 
 ModelFile PlyReader::read(const ModelFormat& format) {
   for (const PlyElement& element : header_.elements) read_elements(element);
@@ -245,7 +254,9 @@ void PlyReader::read_lists(const PlyElement& element, void (PlyReader::*take)())
     list_.clear();
     for (auto property = element.properties.begin(); property != element.properties.end(); ++property) {
       if (property != corners) {
-        pass_over(*property);
+        double* id = id_of(*property);
+        if (id != nullptr) *id = data_->number(property->type);
+        if (id == nullptr) pass_over(*property);
         continue;
       }
       const std::uint64_t size = list_size(*property);
@@ -254,6 +265,14 @@ void PlyReader::read_lists(const PlyElement& element, void (PlyReader::*take)())
     data_->end();
     (this->*take)();
   }
+}
+
+/// Where the number of a face's part or material goes, where the header names them.
+double* PlyReader::id_of(const PlyProperty& property) {
+  if (property.count_type) return nullptr;
+  if (property.name == "part" && !header_.part_names.empty()) return &part_;
+  if (property.name == "material" && !header_.material_names.empty()) return &material_;
+  return nullptr;
 }
 
 void PlyReader::pass_over(const PlyProperty& property) {
@@ -276,7 +295,9 @@ std::uint32_t PlyReader::corner(double index) const {
 }
 
 void PlyReader::add(std::span<const std::uint32_t> corners) {
-  builder_.polygon(corners, builder_.material(kUnnamed), builder_.part(path_.stem().string()), data_->line());
+  const std::string material = name_of(material_, header_.material_names).value_or(kUnnamed);
+  const std::string part = name_of(part_, header_.part_names).value_or(path_.stem().string());
+  builder_.polygon(corners, builder_.material(material), builder_.part(part), data_->line());
 }
 
 void PlyReader::take_face() {

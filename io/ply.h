@@ -12,7 +12,8 @@ namespace clerestory::io {
 bool is_ply(std::string_view head);
 
 /// Reads PLY, text or binary of either byte order, with any types of numbers. Faces and triangle strips become polygons of one part, by the
-/// name of the file; other elements and properties are passed over, colours and edges included.
+/// name of the file, or of the parts and materials that the comments of write_model() name; other elements and properties are passed
+/// over, colours and edges included.
 /// Throws InputError with line, or element and byte, for: what read_ply_header() does, data that end before the header's counts, a coordinate
 /// that is no finite number, a face with under 3 corners or a corner that does not exist, and a file without faces.
 /// Source: Turk, The PLY Polygon File Format, 1994.

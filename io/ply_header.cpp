@@ -81,6 +81,7 @@ class HeaderReader {
   void read_format(const Words& words);
   void read_element(const Words& words);
   void read_property(const Words& words);
+  bool read_name(std::string_view line);
   void read_comment(std::string_view line);
   PlyScalar type(std::string_view word) const;
   void check() const;
@@ -162,7 +163,18 @@ void HeaderReader::read_property(const Words& words) {
   }
 }
 
+/// "part 0 desk": whether the comment names the next number of its kind.
+bool HeaderReader::read_name(std::string_view line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.size() < 3 || (words[1] != "part" && words[1] != "material")) return false;
+  std::vector<std::string>& names = words[1] == "part" ? header_.part_names : header_.material_names;
+  if (words[2] != std::to_string(names.size())) return false;
+  names.emplace_back(trim(line.substr(static_cast<std::size_t>(words[2].data() + words[2].size() - line.data()))));
+  return true;
+}
+
 void HeaderReader::read_comment(std::string_view line) {
+  if (read_name(line)) return;
   if (header_.unit) return;
   if (const auto unit = unit_in_comment(line.substr(0, 200)))
     header_.unit = ToldUnit{*unit, fmt::format("as line {} of the model says", lines_.number())};

@@ -33,8 +33,11 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;
   std::optional<ToldUnit> unit;  ///< where a comment names one
-  std::uint64_t lines = 0;       ///< of the header, end_header included
-  std::uint64_t bytes = 0;       ///< where the data begin
+  /// Of the numbers that faces have as `part` and `material`, where comments name them as write_model() does: "comment part 0 desk".
+  std::vector<std::string> part_names;
+  std::vector<std::string> material_names;
+  std::uint64_t lines = 0;  ///< of the header, end_header included
+  std::uint64_t bytes = 0;  ///< where the data begin
 };
 
 /// Reads the header of a PLY file, at most 1 MiB.

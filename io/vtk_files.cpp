@@ -163,6 +163,13 @@ void add_origin(vtkPolyData* data, const std::vector<std::string>& units, const 
       numbers<vtkDoubleArray>("horizontal_illuminance_lux", std::array{results.horizontal_illuminance_lux}));
 }
 
+template <class Id>
+std::vector<int> indices_of(const std::vector<Id>& ids) {
+  std::vector<int> indices;
+  for (const Id id : ids) indices.push_back(static_cast<int>(id.index()));
+  return indices;
+}
+
 /// Keeps what VTK complains of, which it would print on stderr otherwise.
 void keep_message(vtkObject*, unsigned long, void* message, void* text) {
   if (text != nullptr) static_cast<std::string*>(message)->append(static_cast<const char*>(text));
@@ -251,6 +258,27 @@ void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Resul
   data->GetFieldData()->AddArray(words("part_names", results.surfaces.part_names));
   data->GetFieldData()->AddArray(words("material_names", results.surfaces.material_names));
   data->GetFieldData()->AddArray(words("room_names", results.surfaces.room_names));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+void write_model_vtp(const std::filesystem::path& file, const mesh::Model& model) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const mesh::Point& p : model.vertices) points->InsertNextPoint(p.x, p.y, p.z);
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t polygon = 0; polygon < model.polygon_count(); ++polygon) {
+    const auto loop = model.loop(polygon);
+    cells->InsertNextCell(static_cast<int>(loop.size()));
+    for (const std::uint32_t corner : loop) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
+  }
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetCellData()->AddArray(numbers<vtkIntArray>("part", indices_of(model.polygon_part)));
+  data->GetCellData()->AddArray(numbers<vtkIntArray>("material", indices_of(model.polygon_material)));
+  data->GetFieldData()->AddArray(words("part_names", model.part_names));
+  data->GetFieldData()->AddArray(words("material_names", model.material_names));
+  data->GetFieldData()->AddArray(words("units", {"metres, z up"}));
   write_whole_file(file, vtp_bytes(data));
 }
 

@@ -7,6 +7,7 @@
 
 #include "io/result_context.h"
 #include "lighting/results.h"
+#include "mesh/model.h"
 
 namespace clerestory::io {
 
@@ -28,6 +29,11 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
 /// Throws MachineError when the file cannot be written whole.
 void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,
                         const ResultContext& context);
+
+/// Writes a model as VTK XML polygons (.vtp), in double precision: of each polygon the outer loop. Cell data: the indices `part` and
+/// `material` into the field arrays `part_names` and `material_names`; `units` in words.
+/// Throws MachineError when the file cannot be written whole.
+void write_model_vtp(const std::filesystem::path& file, const mesh::Model& model);
 
 /// Writes where the rooms are not closed as VTK XML points (.vtp), one a hole to the outside, at its middle. Cell data: `room` (an
 /// index into the field array `room_names`), `area_m2`. Field data as in write_surfaces_vtp().
