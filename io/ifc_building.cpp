@@ -106,6 +106,7 @@ std::shared_ptr<BuildingModel> parse(const std::string& file, const std::string&
   auto model = std::make_shared<BuildingModel>();
   ReaderSTEP reader;
   std::string errors;
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the library's signature
   reader.setMessageCallBack(&errors, [](void* text_of_errors, std::shared_ptr<StatusCallback::Message> message) {
     if (message->m_message_type == StatusCallback::MESSAGE_TYPE_ERROR)
       *static_cast<std::string*>(text_of_errors) = utf8(message->m_message_text);

@@ -141,7 +141,7 @@ class Cutter {
   static std::optional<mesh::Solid> remainder(const mesh::Solid& body, const mesh::Solid& tool) {
     if (body.empty() || !overlap(mesh::box_of(body), mesh::box_of(tool))) return body;
     if (!mesh::is_closed(body)) return mesh::clipped(body, tool);
-    const auto left = mesh::difference(body, tool);
+    auto left = mesh::difference(body, tool);
     const auto taken = left ? mesh::intersection(body, tool) : std::nullopt;
     if (!taken) return std::nullopt;
     const double whole = mesh::volume(body);

@@ -80,6 +80,7 @@ IfcShapes::IfcShapes(const std::shared_ptr<BuildingModel>& model, IfcStyles& sty
   settings->setHandleLayerAssignments(false);
   carve::setEpsilon(1.5e-5 * metres_per_unit);
   library_ = std::make_unique<RepresentationConverter>(settings, model->getUnitConverter());
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the library's signature
   library_->setMessageCallBack(this, [](void* shapes, std::shared_ptr<StatusCallback::Message> message) {
     const auto type = message->m_message_type;
     if (type == StatusCallback::MESSAGE_TYPE_WARNING || type == StatusCallback::MESSAGE_TYPE_ERROR)

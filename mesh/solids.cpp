@@ -49,6 +49,7 @@ bool lies_inside(const FlatLoop& loop, const PlanarOutline& outline) {
 /// Loops at even depth counter-clockwise, those at odd depth the other way.
 void nest(std::vector<FlatLoop>& loops) {
   std::vector<PlanarOutline> outlines;
+  outlines.reserve(loops.size());
   for (const FlatLoop& loop : loops) outlines.push_back(outline_of(loop));
   for (std::size_t i = 0; i < loops.size(); ++i) {
     bool outer = true;
