@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/finishes.h"
 #include "io/words.h"
 
 namespace clerestory::io {
@@ -33,24 +34,6 @@ bool contains(const std::array<std::string_view, N>& words, const std::string& w
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool is_letter(char c) {
-  // Bytes of UTF-8 beyond ASCII are letters with accents.
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::vector<std::string> words_of_name(std::string_view name) {
-  std::vector<std::string> words(1);
-  char before = ' ';
-  for (const char c : name) {
-    const bool hump = before >= 'a' && before <= 'z' && c >= 'A' && c <= 'Z';
-    if ((hump || !is_letter(c)) && !words.back().empty()) words.emplace_back();
-    if (is_letter(c)) words.back() += c;
-    before = c;
-  }
-  for (std::string& word : words) word = lower(word);
-  return words;
-}
-
 /// German compounds end in the thing itself: Isolierglas; English ones too: safetyglass.
 bool is_compound_of_glass(const std::string& word) {
   if (contains(kOtherWords, word)) return false;
@@ -71,7 +54,7 @@ std::string told(const std::vector<std::string>& names) { return (names.size() =
 }  // namespace
 
 bool is_named_like_glass(std::string_view name) {
-  const auto words = words_of_name(name);
+  const auto words = name_words(name);
   const auto is_other = [](const std::string& word) { return contains(kOtherWords, word); };
   const auto is_glass = [](const std::string& word) {
     return contains(kGlassWords, word) || is_compound_of_glass(word);
@@ -97,12 +80,26 @@ std::string side_words(const lighting::SideMaterial& side) {
                                          : fmt::format(", shines with {:g} cd/m²", *side.emission->luminance_cd_m2));
 }
 
-std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const SourceMaterial& source) {
+MaterialAssumptions::Reflectance MaterialAssumptions::reflectance(const SourceMaterial& source) {
+  if (auto told = told_reflectance(source)) return {std::move(told), source.told_by};
+  if (const Finish* finish = finish_named_like(source.name)) {
+    const double reflectance = finish->reflectance + finish->specular;
+    named_like_[fmt::format("Named like {}, and so with a reflectance of {:.2f}", finish->name, reflectance)].push_back(
+        source.name);
+    if (finish->specular > 0.0) specular_.push_back(source.name);
+    return {lighting::Spectrum{static_cast<float>(reflectance)}, fmt::format("named like {}", finish->name)};
+  }
   if (source.textured) {
     textured_.push_back(source.name);
-    return std::nullopt;
+    return {std::nullopt, "a texture, which is not read"};
   }
-  if (!source.diffuse) return std::nullopt;
+  if (told_emission(source)) return {std::nullopt, source.told_by};
+  by_orientation_.push_back(source.name);
+  return {std::nullopt, "nothing says what it is"};
+}
+
+std::optional<lighting::Spectrum> MaterialAssumptions::told_reflectance(const SourceMaterial& source) {
+  if (source.textured || !source.diffuse) return std::nullopt;
   std::array<double, 3> colour = *source.diffuse;
   const double specular = source.specular.value_or(0.0);
   if (specular != 0.0) specular_.push_back(source.name);
@@ -111,7 +108,10 @@ std::optional<lighting::Spectrum> MaterialAssumptions::diffuse_reflectance(const
   const auto [least, most] = std::minmax_element(colour.begin(), colour.end());
   if (*least < 0.0 || *most > kMostReflectance) implausible_.push_back(source.name);
   for (double& band : colour) band = std::clamp(band, 0.0, kMostReflectance);
-  told_by_[source.photometric ? "What the file says in photometric terms" : source.told_by].push_back(source.name);
+  told_by_[source.photometric
+               ? "What the file says in photometric terms was taken as diffuse reflectance"
+               : capitalised(source.told_by) + " was taken as diffuse reflectance, linear, without a gamma to take off"]
+      .push_back(source.name);
   if (is_grey(colour)) return lighting::Spectrum{static_cast<float>(colour[0])};
   return lighting::Spectrum{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                             static_cast<float>(colour[2])};
@@ -148,18 +148,12 @@ bool MaterialAssumptions::decide_glazing(const SourceMaterial& source, lighting:
 }
 
 void MaterialAssumptions::decide_sides(const SourceMaterial& source, lighting::Material& material) {
-  material.front.reflectance = diffuse_reflectance(source);
+  Reflectance decided = reflectance(source);
+  material.front.reflectance = std::move(decided.value);
   material.back.reflectance = material.front.reflectance;
   material.front.emission = told_emission(source);
   material.became = side_words(material.front);
-  if (material.front.reflectance || material.front.emission) {
-    material.why = source.told_by;
-  } else if (source.textured) {
-    material.why = "a texture, which is not read";
-  } else {
-    by_orientation_.push_back(source.name);
-    material.why = "nothing says what it is";
-  }
+  material.why = std::move(decided.why);
 }
 
 std::vector<std::string> MaterialAssumptions::sentences() const {
@@ -175,13 +169,17 @@ std::vector<std::string> MaterialAssumptions::sentences() const {
                   kGlassTransmittance),
       transparent_);
   add("Glazing with the transmittance that the file tells", told_glazing_);
-  for (const auto& [source, names] : told_by_) add(capitalised(source) + " was taken as diffuse reflectance", names);
+  for (const auto* by_sentence : {&told_by_, &named_like_})
+    for (const auto& [sentence, names] : *by_sentence) add(sentence, names);
   add("The specular reflectance joins the diffuse one", specular_);
   add(fmt::format(
           "The file gives reflectances outside 0 … {0:.2f} or transmittances over 1, which no real surface has; "
           "the nearest possible was taken",
           kMostReflectance),
       implausible_);
+  add(fmt::format("The study gives a reflectance over {:.2f}, which hardly any surface has; it was taken as given",
+                  kMostReflectance),
+      too_bright_);
   add("Diffuse transmission is not computed in this version, and they are opaque", translucent_);
   add("Textures are not read; " + by_orientation, textured_);
   add("Nothing says what they are made of, and " + by_orientation, by_orientation_);

@@ -24,15 +24,24 @@ inline constexpr double kMostReflectance = 0.95;
 class MaterialAssumptions {
  public:
   /// Decides what the study leaves open of a material, in this order: a transmittance that the file tells, what it tells in photometric
-  /// terms, a name like glass, a transparent colour, a colour; else the orientation of its sides.
+  /// terms, a name like glass, a transparent colour, a colour, a name like a finish (io/finishes.h); else the orientation of its sides.
   void decide(const SourceMaterial& source, lighting::Material& material);
 
-  /// What the file tells of the reflectance, where the study leaves that open: the diffuse and the specular one together, since this
-  /// version has no mirrors. Nothing where it tells none.
-  std::optional<lighting::Spectrum> diffuse_reflectance(const SourceMaterial& source);
+  /// A reflectance, and what says so.
+  struct Reflectance {
+    std::optional<lighting::Spectrum> value;
+    std::string why;
+  };
+
+  /// The reflectance where the study leaves that open: what the file tells, the diffuse and the specular one together, since this version
+  /// has no mirrors; else what the name tells. Nothing where neither does.
+  Reflectance reflectance(const SourceMaterial& source);
 
   /// Notes that the specular reflectance of a material joined the diffuse one.
   void join_specular(const std::string& name) { specular_.push_back(name); }
+
+  /// Notes that the study gives more than real surfaces reflect.
+  void note_too_bright(const std::string& name) { too_bright_.push_back(name); }
 
   /// One sentence each.
   [[nodiscard]] std::vector<std::string> sentences() const;
@@ -42,12 +51,15 @@ class MaterialAssumptions {
 
   bool decide_glazing(const SourceMaterial& source, lighting::Material& material);
   void decide_sides(const SourceMaterial& source, lighting::Material& material);
+  std::optional<lighting::Spectrum> told_reflectance(const SourceMaterial& source);
 
-  std::map<std::string, Names> told_by_;  ///< reflectances, by what tells them
+  std::map<std::string, Names> told_by_;     ///< reflectances, by what tells them
+  std::map<std::string, Names> named_like_;  ///< reflectances, by the finish that the name tells
   Names named_like_glass_;
   Names transparent_;
   Names told_glazing_;
   Names implausible_;
+  Names too_bright_;
   Names textured_;
   Names by_orientation_;
   Names shining_;

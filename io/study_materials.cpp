@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/finishes.h"
 #include "io/material_rules.h"
 #include "io/study_tables.h"
 #include "io/words.h"
@@ -37,6 +38,41 @@ std::optional<lighting::Emission> emission_of(const StudyValue& entry) {
   return emission;
 }
 
+/// The finish that an entry names; nullptr where it names none.
+const Finish* finish_of(const StudyValue& entry) {
+  const StudyValue* name = entry.find("finish");
+  if (name == nullptr) return nullptr;
+  if (const Finish* finish = find_finish(name->text)) return finish;
+  const auto meant = nearest(name->text, finish_names());
+  throw name->error(fmt::format("there is no finish {}", in_quotes(name->text)),
+                    meant ? fmt::format("did you mean \"{}\"?", *meant) : "docs/materials.md lists all");
+}
+
+/// An opening and glass have no other properties, and a finish no reflectances beside its own.
+void expect_no_contradiction(const StudyValue& entry, const Finish* finish) {
+  std::string_view whole;
+  if (flag_or(entry, "opening", false)) {
+    whole = "opening";
+  } else if (entry.find("glazing") != nullptr) {
+    whole = "glazing";
+  } else if (finish != nullptr && finish->transmittance_normal) {
+    whole = "finish";
+  }
+  for (const StudyValue& member : entry.children) {
+    const bool other = !whole.empty() && member.key != whole && member.key != "opening";
+    const bool double_told = finish != nullptr && (member.key == "reflectance" || member.key == "specular");
+    if (!other && !double_told) continue;
+    throw member.error(
+        fmt::format("material {} cannot have {} beside {}", in_quotes(entry.key), member.key, other ? whole : "finish"),
+        "remove one of the two");
+  }
+}
+
+bool is_too_bright(const lighting::SideMaterial& side) {
+  const auto is_more = [](float band) { return static_cast<double>(band) > kMostReflectance + 1e-6; };
+  return side.reflectance && std::any_of(side.reflectance->begin(), side.reflectance->end(), is_more);
+}
+
 /// An entry of [materials], and whether anything of the model is named by it.
 struct Entry {
   const StudyValue* value = nullptr;
@@ -53,8 +89,11 @@ class MaterialReader {
   lighting::Material material(const SourceMaterial& mtl);
   const StudyValue* entry_of(const std::string& name);
   void apply(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
-  void apply_glazing(const StudyValue& entry, lighting::Material& material);
-  void apply_sides(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material);
+  void apply_glazing(const lighting::Glazing& glazing, lighting::Material& material);
+  void apply_sides(const StudyValue& entry, const Finish* finish, const SourceMaterial& mtl,
+                   lighting::Material& material);
+  std::optional<lighting::Spectrum> reflectance_of(const StudyValue& entry, const Finish* finish,
+                                                   const SourceMaterial& mtl);
   void note_if_too_clear(const lighting::Material& material);
   void join_specular(const StudyValue& entry, lighting::Material& material);
   void darken(lighting::Material& material);
@@ -118,30 +157,27 @@ void MaterialReader::apply(const StudyValue& entry, const SourceMaterial& mtl, l
   material.why = is_glob(entry.key) && entry.key != material.name
                      ? fmt::format("the study's [materials.\"{}\"]", entry.key)
                      : "the study";
-  const bool opening = flag_or(entry, "opening", false);
-  const bool glazing = entry.find("glazing") != nullptr;
-  for (const StudyValue& member : entry.children) {
-    const bool own = member.key == "opening" || (glazing && !opening && member.key == "glazing");
-    if ((opening || glazing) && !own)
-      throw member.error(fmt::format("material {} cannot have {} beside {}", in_quotes(entry.key), member.key,
-                                     opening ? "opening" : "glazing"),
-                         "remove one of the two");
-  }
-  if (opening) {
+  const Finish* finish = finish_of(entry);
+  if (finish != nullptr) material.why += fmt::format(", finish {}", finish->name);
+  expect_no_contradiction(entry, finish);
+  const StudyValue* glazing = entry.find("glazing");
+  if (flag_or(entry, "opening", false)) {
     material.opening = true;
     material.became = "opening";
-  } else if (glazing) {
-    apply_glazing(entry, material);
+  } else if (glazing != nullptr) {
+    apply_glazing({.transmittance_normal = number_or(*glazing, "transmittance", 0.70),
+                   .panes = static_cast<int>(number_or(*glazing, "panes", 1.0))},
+                  material);
+  } else if (finish != nullptr && finish->transmittance_normal) {
+    apply_glazing({.transmittance_normal = *finish->transmittance_normal}, material);
   } else {
-    apply_sides(entry, mtl, material);
+    apply_sides(entry, finish, mtl, material);
   }
 }
 
-void MaterialReader::apply_glazing(const StudyValue& entry, lighting::Material& material) {
-  const StudyValue& table = *entry.find("glazing");
-  material.glazing = lighting::Glazing{.transmittance_normal = number_or(table, "transmittance", 0.70),
-                                       .panes = static_cast<int>(number_or(table, "panes", 1.0))};
-  material.became = fmt::format("glazing {:.2f}", material.glazing->transmittance_normal);
+void MaterialReader::apply_glazing(const lighting::Glazing& glazing, lighting::Material& material) {
+  material.glazing = glazing;
+  material.became = fmt::format("glazing {:.2f}", glazing.transmittance_normal);
   note_if_too_clear(material);
 }
 
@@ -149,10 +185,19 @@ void MaterialReader::note_if_too_clear(const lighting::Material& material) {
   if (material.glazing->transmittance_normal > kClearestGlass) too_clear_.push_back(material.name);
 }
 
-void MaterialReader::apply_sides(const StudyValue& entry, const SourceMaterial& mtl, lighting::Material& material) {
+std::optional<lighting::Spectrum> MaterialReader::reflectance_of(const StudyValue& entry, const Finish* finish,
+                                                                 const SourceMaterial& mtl) {
+  if (finish != nullptr) {
+    if (finish->specular > 0.0) assumed_.join_specular(mtl.name);
+    return lighting::Spectrum{static_cast<float>(finish->reflectance + finish->specular)};
+  }
   const StudyValue* reflectance = entry.find("reflectance");
-  material.front.reflectance =
-      reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.diffuse_reflectance(mtl);
+  return reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.reflectance(mtl).value;
+}
+
+void MaterialReader::apply_sides(const StudyValue& entry, const Finish* finish, const SourceMaterial& mtl,
+                                 lighting::Material& material) {
+  material.front.reflectance = reflectance_of(entry, finish, mtl);
   if (entry.find("specular") != nullptr) join_specular(entry, material);
   material.back.reflectance = material.front.reflectance;
   material.front.emission = emission_of(entry);
@@ -162,6 +207,8 @@ void MaterialReader::apply_sides(const StudyValue& entry, const SourceMaterial& 
     material.back.emission = emission_of(*back);
   }
   if (!material.front.emission) material.front.emission = told_emission(mtl);
+  if (finish == nullptr && (is_too_bright(material.front) || is_too_bright(material.back)))
+    assumed_.note_too_bright(material.name);
   material.became = side_words(material.front);
   if (back != nullptr && side_words(material.back) != material.became)
     material.became += "; back: " + side_words(material.back);

@@ -16,12 +16,13 @@ constexpr StudyKey kKeys[] = {
     {.path = "model", .type = kTable, .meaning = "The building and how to read it."},
     {.path = "model.file",
      .type = kText,
-     .meaning = "The model: a Wavefront OBJ file, with its MTL files beside it. Relative to the study file.",
+     .meaning =
+         "The model: OBJ with its MTL files beside it, STL, PLY, OFF, DXF, glTF, COLLADA, IFC or Radiance. Relative to "
+         "the study file.",
      .example = "\"office.obj\""},
     {.path = "model.units",
      .type = kWord,
-     .meaning = "The model's unit of length. Not given: what a comment at the head of the file says, else guessed from "
-                "the size, and reported.",
+     .meaning = "The model's unit of length. Not given: what the file says, else guessed from the size, and reported.",
      .example = "\"m\"",
      .words = "m cm mm in ft"},
     {.path = "model.up",
@@ -41,6 +42,16 @@ constexpr StudyKey kKeys[] = {
      .fallback = "\"auto\"",
      .meaning = "Whether defects of the model are mended (auto), only reported (report), or not looked for (off).",
      .words = "auto report off"},
+    {.path = "model.gap",
+     .type = kNumberOrWord,
+     .unit = "m",
+     .fallback = "\"auto\"",
+     .meaning =
+         "Corners at open edges this near to another surface are drawn to it, 0: none; auto: the precision of the "
+         "model's coordinates, 1 mm at most.",
+     .low = 0.0,
+     .high = 0.1,
+     .words = "auto"},
 
     {.path = "site",
      .type = kTable,
@@ -81,12 +92,18 @@ constexpr StudyKey kKeys[] = {
      .meaning = "A material of the model by name; `*`, `?` and `[...]` make it a pattern: `[materials.\"glass*\"]`."},
     {.path = "materials.*.reflectance",
      .type = kReflectance,
-     .meaning = "The share of light that is reflected diffusely, one number or `[red, green, blue]`. Not given: the "
-                "model's own (an MTL's Kd, a Radiance plastic …), else by orientation (up 0.2, down 0.7, vertical 0.5, "
-                "outdoors 0.2).",
+     .meaning =
+         "The share of light that is reflected diffusely, one number or `[red, green, blue]`. Not given: the "
+         "model's own (an MTL's Kd, a Radiance plastic …), else what the name says ([materials.md](materials.md)), "
+         "else by orientation (up 0.2, down 0.7, vertical 0.5, outdoors 0.2).",
      .example = "0.5",
      .low = 0.0,
      .high = kMostReflectance},
+    {.path = "materials.*.finish",
+     .type = kText,
+     .meaning = "A common finish in place of `reflectance`, `specular` or `glazing`, by its name in "
+                "[materials.md](materials.md).",
+     .example = "\"white-paint\""},
     {.path = "materials.*.specular",
      .type = kTable,
      .meaning = "The mirroring part. In this version it joins the diffuse one."},

@@ -16,6 +16,11 @@ constexpr std::size_t kLongestQuote = 200;  // characters of the user's text tha
 
 char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+/// Bytes of UTF-8 beyond ASCII are letters with accents.
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 }  // namespace
@@ -34,6 +39,19 @@ std::vector<std::string_view> split_words(std::string_view text) {
     words.push_back(text.substr(at, end - at));
     at = text.find_first_not_of(kBlanks, end);
   }
+  return words;
+}
+
+std::vector<std::string> name_words(std::string_view name) {
+  std::vector<std::string> words(1);
+  char before = ' ';
+  for (const char c : name) {
+    const bool hump = before >= 'a' && before <= 'z' && c >= 'A' && c <= 'Z';
+    if ((hump || !is_letter(c)) && !words.back().empty()) words.emplace_back();
+    if (is_letter(c)) words.back() += lower_letter(c);
+    before = c;
+  }
+  if (words.back().empty()) words.pop_back();
   return words;
 }
 

@@ -16,6 +16,9 @@ std::string_view trim(std::string_view text);
 /// The words of a line, between blanks and tabs.
 std::vector<std::string_view> split_words(std::string_view text);
 
+/// The words of a name in lower case: they end at blanks, punctuation, digits and at a capital behind a small letter.
+std::vector<std::string> name_words(std::string_view name);
+
 /// ASCII letters in lower case; everything else stays.
 std::string lower(std::string_view text);
 

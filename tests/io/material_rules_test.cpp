@@ -51,7 +51,8 @@ TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.4F));
   EXPECT_EQ(material.why, "the base colour of the glTF");
   EXPECT_THAT(assumed.sentences(),
-              testing::Contains("The base colour of the glTF was taken as diffuse reflectance: material brick."));
+              testing::Contains("The base colour of the glTF was taken as diffuse reflectance, linear, without "
+                                "a gamma to take off: material brick."));
 }
 
 TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
@@ -157,13 +158,26 @@ TEST(MaterialRules, NothingKnownLeavesItToTheOrientation) {
   assumed.decide(mtl("stuff"), material);
   EXPECT_FALSE(material.front.reflectance.has_value());
   EXPECT_FALSE(material.glazing.has_value());
-  SourceMaterial textured = mtl("carpet");
+  SourceMaterial textured = mtl("pattern");
   textured.diffuse = {0.0, 0.0, 0.0};
   textured.textured = true;
   assumed.decide(textured, material);
   EXPECT_FALSE(material.front.reflectance.has_value());
   EXPECT_THAT(assumed.sentences(),
               ElementsAre(HasSubstr("Textures are not read"), HasSubstr("Nothing says what they are made of")));
+}
+
+TEST(MaterialRules, ANameTellsTheFinishWhereTheFileTellsNoColour) {
+  MaterialAssumptions assumed;
+  lighting::Material material;
+  SourceMaterial carpet = mtl("carpet 3");
+  carpet.textured = true;
+  assumed.decide(carpet, material);
+  EXPECT_THAT(*material.front.reflectance, ElementsAre(0.20F));
+  EXPECT_EQ(material.became, "reflectance 0.20");
+  EXPECT_EQ(material.why, "named like carpet");
+  EXPECT_THAT(assumed.sentences(),
+              ElementsAre("Named like carpet, and so with a reflectance of 0.20: material carpet 3."));
 }
 
 TEST(MaterialRules, EachAssumptionIsToldOnceForAllMaterials) {

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mesh/error.h"
 #include "tests/io/study_folder.h"
 #include "tests/support/places.h"
 
@@ -122,6 +123,47 @@ TEST(StudyFile, TheExactNameCountsBeforePatternsAndOfTheseTheFirst) {
   EXPECT_EQ(material(study, "wall").became, "reflectance 0.20");
   EXPECT_EQ(material(study, "wall").why, "the study");
   EXPECT_EQ(material(study, "floor").why, "the study's [materials.\"*\"]");
+}
+
+TEST(StudyFile, AFinishStandsForItsNumbers) {
+  const StudyFolder folder;
+  auto study = folder.read_materials("wall = { finish = \"white-paint\", back = { reflectance = 0.1 } }\n");
+  EXPECT_THAT(*material(study, "wall").front.reflectance, ElementsAre(0.80F));
+  EXPECT_THAT(*material(study, "wall").back.reflectance, ElementsAre(0.1F));
+  EXPECT_EQ(material(study, "wall").why, "the study, finish white-paint");
+  study = folder.read_materials("wall = { finish = \"single-glazing\" }\n");
+  ASSERT_TRUE(material(study, "wall").glazing.has_value());
+  EXPECT_EQ(material(study, "wall").glazing->transmittance_normal, 0.90);
+}
+
+TEST(StudyFile, AFinishThatIsUnknownOrToldTwiceIsRefused) {
+  const StudyFolder folder;
+  const auto message = [&](const std::string& entry) {
+    try {
+      static_cast<void>(folder.read_materials(entry));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message("wall = { finish = \"whitepaint\" }\n"),
+              HasSubstr("there is no finish 'whitepaint'; did you mean \"white-paint\"?"));
+  EXPECT_THAT(message("wall = { finish = \"oak\", reflectance = 0.3 }\n"),
+              HasSubstr("material 'wall' cannot have reflectance beside finish"));
+  EXPECT_THAT(message("wall = { finish = \"oak\", glazing = { transmittance = 0.5 } }\n"),
+              HasSubstr("cannot have finish beside glazing"));
+}
+
+TEST(StudyFile, AReflectanceThatHardlyAnySurfaceHasIsPointedOut) {
+  const StudyFolder folder;
+  const auto study = folder.read_materials("wall = { reflectance = 0.97 }\n");
+  EXPECT_THAT(study.assumptions, Contains(HasSubstr("a reflectance over 0.95")));
+}
+
+TEST(StudyFile, TheGapGoesToTheCleanUp) {
+  const StudyFolder folder;
+  EXPECT_FALSE(read_study(folder.model()).study.clean.gap_m.has_value());
+  EXPECT_EQ(read_study(folder.model(), {.set = {"model.gap=0.005"}}).study.clean.gap_m, 0.005);
 }
 
 TEST(StudyFile, SpecularJoinsTheDiffusePartAndSaysSo) {
