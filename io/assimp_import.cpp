@@ -12,6 +12,7 @@
 #include <assimp/LogStream.hpp>
 #include <charconv>
 #include <memory>
+#include <new>
 
 #include "io/text_file.h"
 #include "io/words.h"
@@ -139,10 +140,14 @@ void AssimpImport::refuse(const std::string& text) const {
         fmt::format("this is no sound XML: {}", printable(log_->xml_error.substr(0, log_->xml_error.rfind(" @ ")))),
         "correct the file or export it again");
   std::string_view reason = importer_.GetErrorString();
+  if (reason.find("bad_alloc") != std::string_view::npos) throw std::bad_alloc();
   if (reason.starts_with(kNotRecognised))
     throw InputError(file, 0, "this is not what its name promises",
                      "export it again, or give it the ending of its format");
   if (reason.starts_with(kGltfPrefix)) reason.remove_prefix(kGltfPrefix.size());
+  if (reason.starts_with("vector::") ||
+      reason.starts_with("basic_string"))  // of the standard library: a size out of all bounds
+    throw InputError(file, 0, "a count in the file is out of all bounds", "export it again; was the file cut off?");
   std::uint64_t line = 0;
   if (const auto offset = number_after(reason, "offset "); offset && text.empty())
     line = line_of(read_head(path_, *offset), *offset);

@@ -12,6 +12,7 @@
 #include "io/child_process.h"
 #include "io/collada_text.h"
 #include "io/text_file.h"
+#include "io/words.h"
 #include "mesh/error.h"
 
 namespace clerestory::io {
@@ -74,6 +75,7 @@ bool is_collada(std::string_view head) { return head.find("<COLLADA") != std::st
 
 ModelFile import_collada(const std::filesystem::path& path, const ModelFormat& format) {
   std::string document = read_text_file(path, "model", kLongestDocument);
+  if (trim(document).empty()) throw InputError(path.string(), 0, "the file is empty", "export the model again");
   const ColladaAsset asset = take_asset(document, path.string());
   add_stand_in_material(document);
   move_blanks_back(document);

@@ -68,7 +68,7 @@ TEST(ModelTriangles, AreaAndWindingStay) {
     EXPECT_EQ(cut.loop(polygon).size(), 3U);
   }
   EXPECT_NEAR(doubled_area_of(cut, PartId(0U)).y, -2.0 * 15.0, 1e-9);
-  EXPECT_NEAR(doubled_area_of(cut, PartId(1U)).y, -2.0 * 0.8125, 1e-9);
+  EXPECT_NEAR(doubled_area_of(cut, PartId(1U)).y, -2.0 * 0.875, 1e-9);
   EXPECT_EQ(cut.polygon_count(), 8U + 3U);
 }
 
