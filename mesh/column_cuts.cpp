@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace clerestory::mesh {
@@ -19,10 +20,11 @@ constexpr double kFewDrops = 0.05;
 /// A floor's level is told to this [m].
 constexpr float kLevelStep = 0.25F;
 /// So far below the floor of a cell there is no floor of it [m].
-constexpr float kVoidDepth = 1.0F;
-/// A void is a stairwell when nothing farther than this from its edge [m], or when it is no more than this share of its cell.
+constexpr float kVoidDepth = 0.5F;
+/// A void is a stairwell when nothing in it is farther than this from its edge [m]. Wider ones are cut when they are no more than this
+/// share of their cell.
 constexpr float kHalfStairs = 1.25F;
-constexpr double kSmallShare = 0.15;
+constexpr double kSmallShare = 0.3;
 
 /// The span of a column that the sky is above.
 std::uint32_t sky_span(const Columns& columns, std::uint32_t column) { return columns.of(column).second - 1; }
@@ -80,26 +82,80 @@ bool has_roofed_room(const Columns& columns) {
   return std::ranges::any_of(columns.spans, [](const Span& s) { return s.roofed() && s.height() >= kHeadroom; });
 }
 
-/// Area below each level of one cell, in steps.
-using Levels = std::map<int, std::size_t>;
+/// The floor that most of a cell stands on.
+struct MainFloor {
+  float level = Span{}.low;  ///< [m]
+  std::size_t columns = 0;   ///< of the whole cell, where one can stand
+};
 
-int level_of(float z) { return static_cast<int>(std::floor(z / kLevelStep)); }
+std::vector<MainFloor> main_floors(const Columns& columns, const RoomCells& cells) {
+  std::vector<std::map<int, std::size_t>> levels(cells.count);
+  const auto step_of = [](float z) { return static_cast<int>(std::floor(z / kLevelStep)); };
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell || columns.spans[s].height() < kHeadroom) continue;
+    ++levels[static_cast<std::size_t>(cells.of_span[s])][step_of(columns.spans[s].low)];
+  }
+  std::vector<MainFloor> floors(cells.count);
+  std::vector<int> main(cells.count, std::numeric_limits<int>::min());
+  for (std::size_t cell = 0; cell < cells.count; ++cell) {
+    for (const auto& [step, count] : levels[cell]) floors[cell].columns += count;
+    const auto most = std::ranges::max_element(levels[cell], {}, [](const auto& l) { return l.second; });
+    if (most != levels[cell].end()) main[cell] = most->first;
+  }
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell) continue;
+    const auto cell = static_cast<std::size_t>(cells.of_span[s]);
+    if (step_of(columns.spans[s].low) == main[cell])
+      floors[cell].level = std::max(floors[cell].level, columns.spans[s].low);
+  }
+  return floors;
+}
+
+/// How far the innermost of some spans of a cell lies from the edge of them all [m], in steps along the raster.
+float depth_of(const Columns& columns, const std::vector<std::uint32_t>& spans) {
+  std::map<std::uint32_t, int> depth;  // by column
+  for (const std::uint32_t s : spans) depth[columns.spans[s].column] = 0;
+  std::vector<std::uint32_t> layer;
+  const auto at_edge = [&](std::uint32_t column) {
+    return std::ranges::any_of(columns.raster.four_beside(column),
+                               [&](const auto& beside) { return !beside || !depth.contains(*beside); });
+  };
+  for (auto& [column, d] : depth) {
+    if (!at_edge(column)) continue;
+    d = 1;
+    layer.push_back(column);
+  }
+  int deepest = 1;
+  for (std::size_t next = 0; next < layer.size(); ++next) {
+    const int here = depth[layer[next]];
+    deepest = std::max(deepest, here);
+    for (const auto& beside : columns.raster.four_beside(layer[next])) {
+      const auto known = beside ? depth.find(*beside) : depth.end();
+      if (known == depth.end() || known->second != 0) continue;
+      known->second = here + 1;
+      layer.push_back(*beside);
+    }
+  }
+  return (static_cast<float>(deepest) - 0.5F) * static_cast<float>(columns.raster.cell_m);
+}
 
 }  // namespace
 
 Columns cut_columns(const Columns& columns, const std::vector<ColumnCut>& cuts, std::vector<std::uint32_t>& old_span) {
-  std::vector<float> at(columns.spans.size(), Span{}.high);
-  for (const ColumnCut& cut : cuts) at[cut.span] = cut.at;
+  constexpr std::uint32_t kNoCut = Span::kNone;
+  std::vector<std::uint32_t> cut_of(columns.spans.size(), kNoCut);
+  for (std::uint32_t k = 0; k < cuts.size(); ++k) cut_of[cuts[k].span] = k;
   Columns result{columns.raster, {0}, {}};
   old_span.clear();
   for (std::uint32_t c = 0; c < columns.raster.count(); ++c) {
     const auto [first, last] = columns.of(c);
     for (std::uint32_t s = first; s < last; ++s) {
       Span span = columns.spans[s];
-      if (at[s] > span.low && at[s] < span.high) {
-        result.spans.push_back({c, span.low, at[s], true});
+      if (cut_of[s] != kNoCut && cuts[cut_of[s]].at > span.low && cuts[cut_of[s]].at < span.high) {
+        const ColumnCut& cut = cuts[cut_of[s]];
+        result.spans.push_back({c, span.low, cut.at, true, cut.stairs});
         old_span.push_back(s);
-        span.low = at[s];
+        span.low = cut.at;
       }
       result.spans.push_back(span);
       old_span.push_back(s);
@@ -129,37 +185,22 @@ std::vector<ColumnCut> roofless_rooms(const Columns& columns) {
   return cuts;
 }
 
-std::vector<ColumnCut> stairwells(const Columns& columns, const RoomCells& cells) {
-  std::vector<Levels> levels(cells.count);
-  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
-    const bool tall = columns.spans[s].height() >= kHeadroom;
-    if (cells.of_span[s] != kNoCell && tall)
-      ++levels[static_cast<std::size_t>(cells.of_span[s])][level_of(columns.spans[s].low)];
-  }
-  std::vector<float> floor(cells.count, Span{}.low);
-  std::vector<std::size_t> whole(cells.count, 0);
-  for (std::size_t cell = 0; cell < cells.count; ++cell) {
-    for (const auto& [level, area] : levels[cell]) whole[cell] += area;
-    const auto most = std::ranges::max_element(levels[cell], {}, [](const auto& l) { return l.second; });
-    if (most != levels[cell].end()) floor[cell] = (static_cast<float>(most->first) + 1.0F) * kLevelStep;
-  }
-  std::vector<std::vector<std::uint32_t>> voids(cells.count);
-  std::vector<float> level(cells.count, Span{}.low);
+std::vector<ColumnCut> voids(const Columns& columns, const RoomCells& cells) {
+  const auto floors = main_floors(columns, cells);
+  std::vector<std::vector<std::uint32_t>> below(cells.count);
   for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
     if (cells.of_span[s] == kNoCell) continue;
     const auto cell = static_cast<std::size_t>(cells.of_span[s]);
-    if (columns.spans[s].low < floor[cell] - kVoidDepth) voids[cell].push_back(s);
-    // The floor's own level, better than the steps of the levels.
-    else if (columns.spans[s].low < floor[cell])
-      level[cell] = std::max(level[cell], columns.spans[s].low);
+    if (columns.spans[s].low < floors[cell].level - kVoidDepth) below[cell].push_back(s);
   }
   std::vector<ColumnCut> cuts;
   for (std::size_t cell = 0; cell < cells.count; ++cell) {
-    float widest = 0.0F;
-    for (const std::uint32_t s : voids[cell]) widest = std::max(widest, cells.clearance_m[s]);
-    const bool small = static_cast<double>(voids[cell].size()) <= kSmallShare * static_cast<double>(whole[cell]);
-    if (widest > kHalfStairs && !small) continue;
-    for (const std::uint32_t s : voids[cell]) cuts.push_back({s, level[cell]});
+    if (below[cell].empty()) continue;
+    const bool stairs = depth_of(columns, below[cell]) <= kHalfStairs;
+    const bool small =
+        static_cast<double>(below[cell].size()) <= kSmallShare * static_cast<double>(floors[cell].columns);
+    if (!stairs && !small) continue;
+    for (const std::uint32_t s : below[cell]) cuts.push_back({s, floors[cell].level, stairs});
   }
   return cuts;
 }

@@ -45,7 +45,8 @@ struct Span {
   std::uint32_t column = 0;
   float low = -std::numeric_limits<float>::infinity();  ///< [m]; infinite where nothing lies below
   float high = std::numeric_limits<float>::infinity();  ///< [m]; infinite below the open sky
-  bool cut = false;  ///< whether it goes on above without a surface between, in the next span of the column
+  bool cut = false;     ///< whether it goes on above without a surface between, in the next span of the column
+  bool stairs = false;  ///< whether that is by a stairwell, which is no floor of what lies above
 
   [[nodiscard]] bool roofed() const { return low > -kFar && high < kFar; }
   [[nodiscard]] float height() const { return high - low; }

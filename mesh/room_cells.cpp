@@ -72,7 +72,7 @@ std::array<std::uint32_t, 8> around(const Links& links, std::uint32_t s) {
 }
 
 /// Distance to the nearest column that is no part of the plan, by propagating its offset in sweeps of the raster to and fro.
-/// Source: [Danielsson1980].
+/// Source: [Danielsson 1980].
 class Clearance {
  public:
   Clearance(const Columns& columns, const Links& links)

@@ -27,7 +27,7 @@ struct RoomCells {
 };
 
 /// The watershed of the distance to the walls, whose basins are joined where the neck between them is as wide as a wide door or hardly
-/// narrower than the basins themselves. Source: [Haumont2003], on the spans of columns in place of cubes.
+/// narrower than the basins themselves. Source: [Haumont, Debeir, Sillion 2003], on the spans of columns in place of cubes.
 RoomCells room_cells(const Columns& columns, const std::vector<std::array<std::uint32_t, 4>>& links);
 
 }  // namespace clerestory::mesh

@@ -19,8 +19,10 @@ constexpr float kHeadroom = 1.8F;  ///< [m]
 constexpr double kLeastArea = 0.8;
 /// Rooms are wider than twice this, walls and cupboards narrower [m].
 constexpr float kHalfWidth = 0.3F;
-/// Openings below a lintel from this width on are no doors: they join what they connect [m].
+/// Openings below a lintel join what they connect when they are wider than any door [m], and as wide as the smaller side were if it were
+/// square: what is narrower is a passage from one room to another, what is wider a beam across one room.
 constexpr double kWideOpening = 1.6;
+constexpr double kWideShare = 1.0;
 /// Places are in a room as far as they are no more than this way [m] from one with this much space around it [m]: what comes after
 /// is a slit.
 constexpr float kCoreClearance = 0.2F;
@@ -59,23 +61,15 @@ RoomCells carried_over(const RoomCells& cells, const Columns& cut, const std::ve
   return result;
 }
 
-void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
-  UnionFind joined(cells.count);
-  for (const Portal& portal : find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count))) {
-    if (portal.width_m >= kWideOpening) joined.join(portal.a, portal.b);
-  }
-  for (CellId& cell : cells.of_span) {
-    if (cell != kNoCell) cell = joined.root(cell);
-  }
-}
-
 /// What makes a room of a cell.
 struct Figures {
   double area_m2 = 0.0;  ///< where one can stand
   float clearance_m = 0.0F;
+
+  [[nodiscard]] bool is_room() const { return area_m2 >= kLeastArea && clearance_m >= kHalfWidth; }
 };
 
-void keep_rooms(const Columns& columns, RoomCells& cells) {
+std::vector<Figures> figures_of(const Columns& columns, const RoomCells& cells) {
   const double cell_area = columns.raster.cell_m * columns.raster.cell_m;
   std::vector<Figures> figures(cells.count);
   for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
@@ -84,10 +78,53 @@ void keep_rooms(const Columns& columns, RoomCells& cells) {
     mine.area_m2 += cell_area;
     mine.clearance_m = std::max(mine.clearance_m, cells.clearance_m[s]);
   }
+  return figures;
+}
+
+/// Whether an opening below a lintel is too wide for a door: it joins what it connects.
+bool is_wide(double width_m, double smaller_area_m2) {
+  return width_m >= std::max(kWideOpening, kWideShare * std::sqrt(smaller_area_m2));
+}
+
+/// Cells that are no rooms themselves, such as what lies below a lintel or a beam, with the rooms on their sides.
+using Passages = std::map<CellId, std::vector<std::pair<CellId, double>>>;  // … and the widths of the openings to them
+
+void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
+  const auto figures = figures_of(columns, cells);
+  const auto of = [&](CellId c) -> const Figures& { return figures[static_cast<std::size_t>(c)]; };
+  UnionFind joined(cells.count);
+  Passages passages;
+  for (const Portal& portal : find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count))) {
+    if (of(portal.a).is_room() && of(portal.b).is_room()) {
+      if (is_wide(portal.width_m, std::min(of(portal.a).area_m2, of(portal.b).area_m2)))
+        joined.join(portal.a, portal.b);
+    } else if (of(portal.a).is_room()) {
+      passages[portal.b].emplace_back(portal.a, portal.width_m);
+    } else if (of(portal.b).is_room()) {
+      passages[portal.a].emplace_back(portal.b, portal.width_m);
+    }
+  }
+  for (const auto& [passage, sides] : passages) {
+    for (const auto& [room, width] : sides) {
+      const bool dead_end = std::ranges::all_of(sides, [&](const auto& side) { return side.first == room; });
+      if (dead_end && width >= kWideOpening) joined.join(room, passage);
+      for (const auto& [other, other_width] : sides) {
+        const double smaller = std::min(of(room).area_m2, of(other).area_m2);
+        if (other == room || !is_wide(std::min(width, other_width), smaller)) continue;
+        joined.join(room, passage);
+        joined.join(other, passage);
+      }
+    }
+  }
   for (CellId& cell : cells.of_span) {
-    if (cell == kNoCell) continue;
-    const Figures& mine = figures[static_cast<std::size_t>(cell)];
-    if (mine.area_m2 < kLeastArea || mine.clearance_m < kHalfWidth) cell = kNoCell;
+    if (cell != kNoCell) cell = joined.root(cell);
+  }
+}
+
+void keep_rooms(const Columns& columns, RoomCells& cells) {
+  const auto figures = figures_of(columns, cells);
+  for (CellId& cell : cells.of_span) {
+    if (cell != kNoCell && !figures[static_cast<std::size_t>(cell)].is_room()) cell = kNoCell;
   }
 }
 
@@ -156,7 +193,7 @@ void measure_enclosure(RoomDrafts& drafts) {
 RoomCells divided(const Columns& columns, Columns& result) {
   const RoomCells cells = room_cells(columns, ceiling_links(columns));
   std::vector<std::uint32_t> old_span;
-  result = cut_columns(columns, stairwells(columns, cells), old_span);
+  result = cut_columns(columns, voids(columns, cells), old_span);
   return carried_over(cells, result, old_span);
 }
 

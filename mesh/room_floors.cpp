@@ -54,7 +54,7 @@ class Decks {
       const Span& span = drafts_.columns.spans[s];
       const std::uint32_t stands_on = stands[deck_of_[s]];
       const float floor = stands_on == deck_of_[s] ? span.low : std::min(span.low, decks_[stands_on].level);
-      const bool floorless = s > 0 && drafts_.columns.spans[s - 1].cut;
+      const bool floorless = s > 0 && drafts_.columns.spans[s - 1].stairs;
       const auto kind = floorless ? RoomColumn::Kind::kFloorless : RoomColumn::Kind::kWhole;
       add(result, {span.column, static_cast<std::uint32_t>(drafts_.of_span[s]), floor, span.high, span.low, kind});
     }

@@ -122,9 +122,8 @@ class Measures {
 
   [[nodiscard]] bool goes_on(const RoomColumn& c, std::uint32_t column) const {
     const double z = probe_height(c);
-    return std::ranges::any_of(map_.of(column), [&](const RoomColumn& other) {
-      return other.kind != RoomColumn::Kind::kNiche && z > other.floor && z < other.ceiling + kBelowCeiling;
-    });
+    return std::ranges::any_of(
+        map_.of(column), [&](const RoomColumn& other) { return z > other.floor && z < other.ceiling + kBelowCeiling; });
   }
 
   [[nodiscard]] std::vector<EdgeCell> edge_cells() const {

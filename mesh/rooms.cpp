@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "mesh/regions.h"
+#include "mesh/reveals.h"
 #include "mesh/room_drafts.h"
 #include "mesh/room_floors.h"
 #include "mesh/room_measures.h"
@@ -182,7 +183,8 @@ bool Room::closed() const { return std::ranges::none_of(openings, &RoomOpening::
 Rooms find_rooms(const Faces& faces, const Rays& rays, const RoomSearch& search) {
   const RoomDrafts drafts = draft_rooms(faces);
   const Raster& raster = drafts.columns.raster;
-  const std::vector<RoomColumn> drafted = room_columns(drafts);
+  std::vector<RoomColumn> drafted = room_columns(drafts);
+  set_reveals_apart(faces, rays, search, raster, drafted);
   std::vector<RoomColumn> columns = space_columns(search.spaces, raster, faces.origin);
 
   Rooms rooms;

@@ -136,11 +136,43 @@ TEST(Rooms, OpenDoorsAndNarrowPassagesDivideWideOpeningsJoin) {
       EXPECT_NEAR((room.openings[0].at + b.faces.origin).y, 1.45, 0.15);
     }
   }
-  for (const double height : {2.1, 3.0}) {
-    const Building b(divided_room(2.5, height));
-    ASSERT_EQ(b.rooms().size(), 1U) << height;
-    EXPECT_NEAR(b.rooms()[0].floor_area_m2, 23.7, 0.3) << height;
+  const Building wide(divided_room(2.5, 3.0));
+  ASSERT_EQ(wide.rooms().size(), 1U);
+  EXPECT_NEAR(wide.rooms()[0].floor_area_m2, 23.7, 0.1);
+  EXPECT_EQ(Building(divided_room(2.5, 2.1)).rooms().size(), 2U) << "with a lintel it is a doorway still";
+}
+
+TEST(Rooms, BeamsDoNotDivide) {
+  for (const double below : {2.8, 2.4, 2.1}) {
+    Model model = support::box_room(6, 4, 3);
+    add_box(model, {2.9, 0, below}, {3.1, 4, 3}, {"concrete", "beam"});
+    const Building b(model);
+    ASSERT_EQ(b.rooms().size(), 1U) << below;
+    EXPECT_NEAR(b.rooms()[0].floor_area_m2, 24.0, 0.05);
+    EXPECT_NEAR(b.rooms()[0].volume_m3, 72.0 - 0.8 * (3.0 - below), 0.3);
   }
+}
+
+TEST(Rooms, FloorsEndAtTheInnerFaceOfTheWallBelowAWindowAsHighAsTheRoom) {
+  Model model;
+  add_box(model, {0, 0, 0}, {5, 4, 2.6}, {"wall", "room"}, support::Fronts::kInward);
+  Model room;
+  for (std::size_t p = 0; p < model.polygon_count(); ++p) {
+    std::vector<Point> outer;
+    for (const std::uint32_t c : model.loop(p)) outer.push_back(model.vertices[c]);
+    if (!std::ranges::all_of(outer, [](const Point& q) { return q.y == 0.0; })) add_polygon(room, outer);
+  }
+  add_quad(room, {0, 0, 0}, {1, 0, 0}, {1, 0, 2.6}, {0, 0, 2.6});
+  add_quad(room, {4, 0, 0}, {5, 0, 0}, {5, 0, 2.6}, {4, 0, 2.6});
+  for (const double x : {1.0, 4.0}) add_quad(room, {x, 0, 0}, {x, -0.4, 0}, {x, -0.4, 2.6}, {x, 0, 2.6});
+  for (const double z : {0.0, 2.6}) add_quad(room, {1, 0, z}, {4, 0, z}, {4, -0.4, z}, {1, -0.4, z});
+  add_quad(room, {1, -0.3, 0}, {4, -0.3, 0}, {4, -0.3, 2.6}, {1, -0.3, 2.6}, {"glass", "window"});
+  const Building b(room);
+  ASSERT_EQ(b.rooms().size(), 1U);
+  EXPECT_NEAR(b.rooms()[0].floor_area_m2, 20.0, 0.1);
+  EXPECT_NEAR(b.rooms()[0].volume_m3, 52.0, 0.3);
+  EXPECT_TRUE(b.rooms()[0].closed());
+  EXPECT_EQ(b.at({2.5, -0.2, 1}), 0U) << "the reveal is still of the room";
 }
 
 TEST(Rooms, RoomInARoomIsOneOfItsOwn) {
