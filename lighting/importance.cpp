@@ -33,6 +33,10 @@ constexpr double kDarkest = 1e-3;
 constexpr double kSkyShare = 0.1;
 constexpr double kAreaShare = 0.01;  ///< so much importance lies on all surfaces by area, seen from sensors or not
 
+/// A grid far darker or brighter than all together counts by no more than this.
+constexpr double kLeastWeightOfGrid = 0.2;
+constexpr double kMostWeightOfGrid = 50.0;
+
 struct Deposit {
   ElementId node;
   Point at;
@@ -104,6 +108,30 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
   return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
 }
 
+/// How much the light of each grid's sensors counts: one over its mean, as a share of the mean of all.
+template <class GridOf>
+std::vector<double> weights_of_grids(const std::vector<Walked>& walked, GridOf grid_of) {
+  std::vector<double> lux;
+  std::vector<double> counts;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < walked.size(); ++i) {
+    const std::size_t grid = grid_of(i);
+    if (grid >= lux.size()) {
+      lux.resize(grid + 1, 0.0);
+      counts.resize(grid + 1, 0.0);
+    }
+    lux[grid] += walked[i].lux;
+    counts[grid] += 1.0;
+    mean += walked[i].lux / static_cast<double>(walked.size());
+  }
+  std::vector<double> weights(lux.size(), 1.0);
+  for (std::size_t g = 0; g < lux.size(); ++g) {
+    if (counts[g] > 0.0 && mean > 0.0)
+      weights[g] = std::clamp(mean * counts[g] / std::max(lux[g], mean * 1e-9), kLeastWeightOfGrid, kMostWeightOfGrid);
+  }
+  return weights;
+}
+
 /// Moves the deposits of crowded triangles down to their parts, which are made for that.
 void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
   std::vector<std::vector<std::uint32_t>> on(solution.tree().size());
@@ -124,7 +152,7 @@ void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
 }  // namespace
 
 Importance::Importance(Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
-                       std::uint64_t seed) {
+                       std::uint64_t seed, std::span<const std::uint32_t> grids) {
   const mesh::ElementTree& tree = solution.tree();
   const std::size_t walkers = std::min(kWalkers, positions.size());
   std::vector<Walked> walked(walkers);
@@ -136,10 +164,17 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
     walked[i] = walk(solution, lifted, normals[sensor], walks, mesh::hash(seed, sensor));
   });
 
+  const auto grid_of = [&](std::size_t walker) {
+    return grids.empty() ? 0U : grids[walker * positions.size() / walkers];
+  };
+  const std::vector<double> weights = weights_of_grids(walked, grid_of);
   std::vector<Deposit> deposits;
-  for (const Walked& of_one : walked) {
-    mean_lux_ += of_one.lux / static_cast<double>(walkers);
-    deposits.insert(deposits.end(), of_one.deposits.begin(), of_one.deposits.end());
+  for (std::size_t i = 0; i < walkers; ++i) {
+    mean_lux_ += walked[i].lux / static_cast<double>(walkers);
+    for (Deposit d : walked[i].deposits) {
+      d.weight *= static_cast<float>(weights[grid_of(i)]);
+      deposits.push_back(d);
+    }
   }
   mean_lux_ = std::max(mean_lux_, (walkers == 0 ? 1.0 : kDarkest) * even_lux(solution.scene(), tree));
   divide_crowded(solution, deposits);

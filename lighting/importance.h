@@ -15,8 +15,10 @@ class Importance {
  public:
   /// Divides triangles on which many walks ended, so that it is known which of their parts matter.
   /// @param positions, normals  sensors, local coordinates; may be empty: then every node matters by its area
+  /// @param grids  the number of each sensor's grid, from 0; empty: all belong to one. An accuracy is a share of a grid's own light, so
+  ///               that what the sensors of a dark grid see matters more than the same light elsewhere.
   Importance(Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
-             std::uint64_t seed);
+             std::uint64_t seed, std::span<const std::uint32_t> grids = {});
 
   /// Of a node, whether it existed when the walks were made or is a part of one that did.
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;

@@ -59,6 +59,7 @@ class Clock {
 struct AllSensors {
   std::vector<mesh::Point> positions;
   std::vector<mesh::Vector> normals;
+  std::vector<std::uint32_t> grids;  ///< number of each sensor's grid
 };
 
 AllSensors place_all(const Study& study, Scene& scene, Results& results) {
@@ -71,6 +72,7 @@ AllSensors place_all(const Study& study, Scene& scene, Results& results) {
       grid.sensors = std::move(placed.sensors);
       all.positions.insert(all.positions.end(), grid.sensors.positions.begin(), grid.sensors.positions.end());
       all.normals.insert(all.normals.end(), grid.sensors.normals.begin(), grid.sensors.normals.end());
+      all.grids.resize(all.positions.size(), static_cast<std::uint32_t>(results.grids.size()));
       results.grids.push_back(std::move(grid));
     }
   }
@@ -168,7 +170,7 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("direct light", progress);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
-  const Importance importance(solution, sensors.positions, sensors.normals, seed);
+  const Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
   const double target = study.accuracy.target;
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
 
