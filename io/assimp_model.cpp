@@ -16,7 +16,7 @@ namespace clerestory::io {
 namespace {
 
 /// Coordinates that lie further apart than this are worth a word [m].
-constexpr double kCoarse_m = 0.001;
+constexpr double kCoarse = 0.001;
 
 mesh::Affine affine(const aiMatrix4x4& m) {
   return {{m.a1, m.b1, m.c1}, {m.a2, m.b2, m.c2}, {m.a3, m.b3, m.c3}, {m.a4, m.b4, m.c4}};
@@ -144,7 +144,7 @@ ModelFile SceneReader::finish(AssimpImport& import, const ModelFormat& format, c
   if (lines_and_points_ > 0)
     result.notices.push_back(fmt::format("{} lines and points of the model were passed over.", lines_and_points_));
   const double spacing_m = spacing_ * metres_per(result.unit);
-  if (spacing_m > kCoarse_m)
+  if (spacing_m > kCoarse)
     result.notices.push_back(fmt::format(
         "Coordinates came in single precision, which is {:.2g} mm coarse where this model lies. Export it nearer to "
         "the origin, or as OBJ.",
