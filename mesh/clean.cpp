@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <unordered_set>
 #include <utility>
 
 #include "mesh/defects.h"
@@ -28,8 +29,6 @@ namespace {
 constexpr int kMaxRounds = 4;
 /// Corners moved by welding and by vertices set into edges stay within twice the tolerance of their plane.
 constexpr double kPlanarityOverWeld = 2.0;
-/// Length of open edges that cutting may add by rounding [m].
-constexpr double kOpenedLength = 1e-3;
 
 double total_area(const Soup& soup) {
   double sum = 0.0;
@@ -80,7 +79,9 @@ class Repair {
     progress_.phase("shells");
     remove_specks(soup_, defects_);
     report.closed_shells = orient_shells(soup_, defects_);
-    report.open_edges = open_edges(soup_).count;
+    const OpenEdges open = open_edges(soup_);
+    report.open_edges = open.count;
+    report.open_length_m = open.length_m;
     return std::move(defects_);
   }
 
@@ -95,8 +96,9 @@ class Repair {
   void make_conforming() { make_conforming(defects_); }
   void make_conforming(DefectList& defects) {
     for (int round = 0; round < kMaxRounds; ++round) {
-      bool changed = split_t_junctions(soup_, tolerance_, defects);
-      changed |= drop_degenerate(soup_, tolerance_, defects);
+      // Splitting comes to its end by itself; the other two make edges that have not been split.
+      split_t_junctions(soup_, tolerance_, defects);
+      bool changed = drop_degenerate(soup_, tolerance_, defects);
       changed |= triangulate_nonplanar(soup_, kPlanarityOverWeld * tolerance_, defects);
       if (!changed) break;
     }
@@ -112,26 +114,38 @@ class Repair {
     }
   }
 
-  /// Pieces of one round may still cross others where a polygon had to be left whole. A round that opens what was closed is taken back.
+  /// Pieces of one round may still cross others where a polygon had to be left whole. What opens a polygon is taken back.
   void resolve_all_intersections() {
+    std::unordered_set<std::uint32_t> left_alone;
     for (int round = 0; round < kMaxRounds; ++round) {
-      const Soup before = soup_;
       DefectList found;
-      if (!resolve_intersections(soup_, tolerance_, model_.material_names, found)) {
-        defects_.append(std::move(found));
-        break;
-      }
-      DefectList own_making;
-      weld_again();
-      make_conforming(own_making);
-      drop_duplicates(soup_, model_.material_names, own_making);
-      if (open_edges(soup_).length_m > open_edges(before).length_m + kOpenedLength) {
-        soup_ = before;
-        defects_.append(std::move(found).all_left("cutting there would open a surface that is closed"));
-        break;
-      }
+      const bool changed = resolve_unless_opened(left_alone, found);
       defects_.append(std::move(found));
+      if (!changed) return;
     }
+    leave_intersections(soup_, tolerance_, defects_);
+  }
+
+  /// @return whether anything changed
+  bool resolve_unless_opened(std::unordered_set<std::uint32_t>& left_alone, DefectList& found) {
+    const Soup before = soup_;
+    for (int attempt = 0; attempt < kMaxRounds; ++attempt) {
+      found = {};
+      if (!resolve_intersections(soup_, tolerance_, model_.material_names, left_alone, found)) return false;
+      weld_again();
+      DefectList own_making;
+      make_conforming(own_making);
+      const std::unordered_set<std::uint32_t> opened = opened_sources(before, soup_);
+      if (opened.empty()) {
+        drop_covered(soup_);
+        drop_duplicates(soup_, model_.material_names, own_making);
+        return true;
+      }
+      left_alone.insert(opened.begin(), opened.end());
+      soup_ = before;
+    }
+    found = std::move(found).all_left("cutting there would open what is closed");
+    return false;
   }
 
   Soup& soup_;

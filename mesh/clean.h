@@ -56,6 +56,7 @@ struct CleanReport {
   double area_after_m2 = 0.0;
   double gap_m = 0.0;             ///< up to which gaps were closed
   std::size_t open_edges = 0;     ///< after the clean-up: edges at which one polygon ends and no other begins
+  double open_length_m = 0.0;     ///< of those edges
   std::size_t closed_shells = 0;  ///< after the clean-up: connected polygons without an open edge
 };
 

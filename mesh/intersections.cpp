@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include "mesh/coplanar.h"
+#include "mesh/edge_uses.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
 #include "mesh/polygon_pairs.h"
@@ -20,6 +23,25 @@ using Kind = PolygonPair::Kind;
 
 /// Rounding of the area of a polygon over that area, far above what sums of doubles lose.
 constexpr double kAreaRounding = 1e-9;
+/// Length of open edges that a polygon may get by rounding [m].
+constexpr double kOpenedLength = 1e-3;
+
+std::string_view kind_of(Kind kind) {
+  switch (kind) {
+    case Kind::kOverlap:
+      return "overlapping polygons";
+    case Kind::kCrossing:
+      return "intersecting polygons";
+    case Kind::kSelf:
+      return "self-crossing polygons";
+  }
+  return {};
+}
+
+DefectPlace place_of(const Soup& soup, const PolygonPair& pair) {
+  const auto& [from, to] = pair.where;
+  return {soup.polygons[pair.first].source, midpoint(from, to), norm(to - from)};
+}
 
 /// Which of two surfaces stays where they lie on each other: the smaller one.
 class Precedence {
@@ -124,6 +146,7 @@ class Cutting {
       const bool first = precedence.stays(pair.first, pair.second);
       const std::uint32_t stays = first ? pair.first : pair.second;
       involved_[index_[first ? pair.second : pair.first]].covers.push_back(index_[stays]);
+      soup_.polygons[stays].covering = true;
     }
   }
 
@@ -188,19 +211,15 @@ class Cutting {
     own.pieces.clear();
     own.covered_area = 0.0;
     double sum = 0.0;
-    std::size_t kept = 0;
     for (const std::vector<Triangle>& part : parts_of(i)) {
       double part_area = 0.0;
       for (const Triangle& t : part) part_area += area_of(t);
       sum += part_area;
-      if (is_covered(own, part)) {
-        own.covered_area += part_area;
-        continue;
-      }
-      ++kept;
-      add_pieces(own, part);
+      const bool covered = is_covered(own, part);
+      if (covered) own.covered_area += part_area;
+      add_pieces(own, part, covered);
     }
-    own.cut = own.covered_area > 0.0 || kept != 1 || own.pieces.size() != 1 || own.crosses_itself;
+    own.cut = own.covered_area > 0.0 || own.pieces.size() != 1 || own.crosses_itself;
     own.failed = own.cut && !makes_up(own, sum);
     own.cut = own.cut && !own.failed;
   }
@@ -212,13 +231,14 @@ class Cutting {
     for_each_edge(soup_.polygons[own.polygon],
                   [&](std::uint32_t a, std::uint32_t b) { perimeter += norm(soup_.points[b] - soup_.points[a]); });
     const double allowed = kAreaRounding * wanted + drafts_.tolerance * perimeter;
-    // Lobes of a polygon that crosses itself count against each other in its area.
-    return own.crosses_itself ? sum >= wanted - allowed : std::abs(sum - wanted) <= allowed;
+    // Of a polygon that crosses itself, lobes count against each other in its area, or twice.
+    return own.crosses_itself ? sum >= 0.5 * wanted : std::abs(sum - wanted) <= allowed;
   }
 
-  void add_pieces(Involved& own, const std::vector<Triangle>& part) {
+  void add_pieces(Involved& own, const std::vector<Triangle>& part, bool covered) {
     SoupPolygon piece = soup_.polygons[own.polygon];
     piece.checked = false;
+    piece.covered = covered;
     if (own.through_slits && has_slit(part)) {
       for (const Triangle& t : part) {
         piece.loops = {{soup_vertex(t.vertices[0]), soup_vertex(t.vertices[1]), soup_vertex(t.vertices[2])}};
@@ -263,37 +283,29 @@ class Cutting {
   }
 
   void tell(const std::vector<std::string>& material_names, DefectList& defects) const {
-    const auto material = [&](const Involved& i) { return material_names[soup_.polygons[i.polygon].material.index()]; };
     for (const PolygonPair& pair : pairs_) {
       const Involved& f = involved_[index_[pair.first]];
       const Involved& g = involved_[index_[pair.second]];
-      const DefectPlace place{soup_.polygons[pair.first].source, midpoint(pair.where[0], pair.where[1]),
-                              norm(pair.where[1] - pair.where[0])};
-      const std::string_view reason = "its pieces would not have its area";
-      switch (pair.kind) {
-        case Kind::kSelf:
-          f.failed ? defects.leave("self-crossing polygons", place, reason)
-                   : defects.add("self-crossing polygons", place);
-          break;
-        case Kind::kCrossing:
-          f.cut || g.cut ? defects.add("intersecting polygons", place)
-                         : defects.leave("intersecting polygons", place, reason);
-          break;
-        case Kind::kOverlap: {
-          const bool first_goes = std::find(f.covers.begin(), f.covers.end(), index_[pair.second]) != f.covers.end();
-          const Involved& goes = first_goes ? f : g;
-          if (goes.failed) {
-            defects.leave("overlapping polygons", place, reason);
-          } else {
-            defects.add("overlapping polygons", place,
-                        material(f) == material(g)
-                            ? std::string()
-                            : material(first_goes ? g : f) + " kept, " + material(goes) + " cut away");
-          }
-          break;
-        }
+      const DefectPlace place = place_of(soup_, pair);
+      const bool first_goes = std::find(f.covers.begin(), f.covers.end(), index_[pair.second]) != f.covers.end();
+      const bool mended = pair.kind == Kind::kOverlap ? !(first_goes ? f : g).failed : f.cut || g.cut;
+      if (!mended) {
+        defects.leave(kind_of(pair.kind), place, "its pieces would not have its area");
+      } else if (pair.kind == Kind::kOverlap) {
+        defects.add(kind_of(pair.kind), place, choice(first_goes ? g : f, first_goes ? f : g, material_names));
+      } else {
+        defects.add(kind_of(pair.kind), place);
       }
     }
+  }
+
+  /// Which material is seen from now on, where that was the question.
+  [[nodiscard]] std::string choice(const Involved& stays, const Involved& goes,
+                                   const std::vector<std::string>& material_names) const {
+    const MaterialId kept = soup_.polygons[stays.polygon].material;
+    const MaterialId cut_away = soup_.polygons[goes.polygon].material;
+    if (kept == cut_away) return {};
+    return material_names[kept.index()] + " kept, " + material_names[cut_away.index()] + " cut away";
   }
 
   bool put_pieces() {
@@ -321,16 +333,72 @@ class Cutting {
   std::vector<std::uint32_t> vertex_of_;                       ///< vertex of the drafts → of the soup
 };
 
+void leave(const Soup& soup, const PolygonPair& pair, std::string_view reason, DefectList& defects) {
+  defects.leave(kind_of(pair.kind), place_of(soup, pair), reason);
+}
+
+/// Sets aside the pairs that are to be left alone.
+void leave_pairs(const Soup& soup, const std::unordered_set<std::uint32_t>& left_alone, std::vector<PolygonPair>& pairs,
+                 DefectList& defects) {
+  std::erase_if(pairs, [&](const PolygonPair& pair) {
+    const std::uint32_t source = soup.polygons[pair.first].source;
+    if (!left_alone.contains(source) && !left_alone.contains(soup.polygons[pair.second].source)) return false;
+    leave(soup, pair, "cutting there would open what is closed", defects);
+    return true;
+  });
+}
+
+std::unordered_map<std::uint32_t, double> open_length_by_source(const Soup& soup) {
+  std::unordered_map<std::uint32_t, double> length;
+  const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
+  for_each_edge_group(uses, [&](std::size_t first, std::size_t last) {
+    std::size_t open = last;
+    std::size_t left = 0;
+    for (std::size_t u = first; u < last; ++u) {
+      if (soup.polygons[uses[u].polygon].covered && last - first > 1) continue;
+      open = u;
+      ++left;
+    }
+    if (left != 1) return;
+    const SoupPolygon& polygon = soup.polygons[uses[open].polygon];
+    if (last - first > 1 && polygon.covering) return;
+    length[polygon.source] += norm(soup.points[uses[first].edge[1]] - soup.points[uses[first].edge[0]]);
+  });
+  return length;
+}
+
 }  // namespace
 
 bool resolve_intersections(Soup& soup, double tolerance, const std::vector<std::string>& material_names,
-                           DefectList& defects) {
-  const std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance);
+                           const std::unordered_set<std::uint32_t>& left_alone, DefectList& defects) {
+  std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance);
+  leave_pairs(soup, left_alone, pairs, defects);
   if (pairs.empty()) {
     for (SoupPolygon& polygon : soup.polygons) polygon.checked = true;
     return false;
   }
   return Cutting(soup, tolerance, pairs).run(material_names, defects);
+}
+
+void leave_intersections(const Soup& soup, double tolerance, DefectList& defects) {
+  for (const PolygonPair& pair : find_polygon_pairs(soup, tolerance)) {
+    leave(soup, pair, "is still there after several rounds of cutting", defects);
+  }
+}
+
+std::unordered_set<std::uint32_t> opened_sources(const Soup& before, const Soup& after) {
+  const std::unordered_map<std::uint32_t, double> was_open = open_length_by_source(before);
+  std::unordered_set<std::uint32_t> opened;
+  for (const auto& [source, length] : open_length_by_source(after)) {
+    const auto was = was_open.find(source);
+    if (length > (was == was_open.end() ? 0.0 : was->second) + kOpenedLength) opened.insert(source);
+  }
+  return opened;
+}
+
+void drop_covered(Soup& soup) {
+  std::erase_if(soup.polygons, [](const SoupPolygon& polygon) { return polygon.covered; });
+  for (SoupPolygon& polygon : soup.polygons) polygon.covering = false;
 }
 
 }  // namespace clerestory::mesh

@@ -19,6 +19,8 @@ struct SoupPolygon {
   std::uint32_t source = 0;  ///< polygon of the model that it comes from
   bool flipped = false;      ///< wound the other way round than the source
   bool checked = false;      ///< for what it overlaps and crosses
+  bool covered = false;      ///< a piece that lies on another, which stays in its place
+  bool covering = false;     ///< stays where others lie on it
   std::uint32_t line = 0;
 };
 

@@ -2,7 +2,6 @@
 #include "mesh/t_junctions.h"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 namespace clerestory::mesh {
@@ -19,21 +18,33 @@ std::vector<Box> boxes_of(std::span<const Point> points, std::size_t first) {
   return boxes;
 }
 
-/// Whether the line a + t·d, 0 ≤ t ≤ 1, meets the box. Slabs [Kay, Kajiya 1986].
-bool meets(const Box& box, const Point& a, const Vector& d) {
-  double begin = 0.0;
-  double end = 1.0;
-  const auto clip = [&](double low, double high, double origin, double step) {
-    if (step == 0.0) return origin >= low && origin <= high;
-    const double t0 = (low - origin) / step;
-    const double t1 = (high - origin) / step;
+/// The line a + t·d, 0 ≤ t ≤ 1, for tests against boxes. Slabs [Kay, Kajiya 1986].
+class Slabs {
+ public:
+  Slabs(const Point& a, const Vector& d) : a_(a), inverse_{1.0 / d.x, 1.0 / d.y, 1.0 / d.z} {}
+
+  /// Whether the line comes into the box grown by a margin.
+  [[nodiscard]] bool meet(const Box& box, double margin) const {
+    double begin = 0.0;
+    double end = 1.0;
+    clip(box.low.x - margin - a_.x, box.high.x + margin - a_.x, inverse_.x, begin, end);
+    clip(box.low.y - margin - a_.y, box.high.y + margin - a_.y, inverse_.y, begin, end);
+    clip(box.low.z - margin - a_.z, box.high.z + margin - a_.z, inverse_.z, begin, end);
+    return begin <= end;
+  }
+
+ private:
+  // Along an axis that the line does not go, inverse is infinite: so are t0 and t1, of opposite signs inside and of one sign outside.
+  static void clip(double low, double high, double inverse, double& begin, double& end) {
+    const double t0 = low * inverse;
+    const double t1 = high * inverse;
     begin = std::max(begin, std::min(t0, t1));
     end = std::min(end, std::max(t0, t1));
-    return begin <= end;
-  };
-  return clip(box.low.x, box.high.x, a.x, d.x) && clip(box.low.y, box.high.y, a.y, d.y) &&
-         clip(box.low.z, box.high.z, a.z, d.z);
-}
+  }
+
+  Point a_;
+  Vector inverse_;
+};
 
 struct Found {
   double t = 0.0;
@@ -41,23 +52,59 @@ struct Found {
   bool operator<(const Found& other) const { return t != other.t ? t < other.t : vertex < other.vertex; }
 };
 
-std::vector<std::uint32_t> split_loop(std::span<const std::uint32_t> loop, const EdgeSplits& splits) {
-  std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i < loop.size(); ++i) append_chain(loop[i], loop[(i + 1) % loop.size()], splits, result);
-  return result;
-}
+/// An edge, and a polygon that has it.
+using UsedEdge = std::pair<Edge, std::uint32_t>;
 
-/// The edges of the polygons that have not been looked at before, in order of first use, each with a polygon that has it.
-std::vector<std::pair<Edge, const SoupPolygon*>> new_edges(const Soup& soup,
-                                                           std::unordered_set<Edge, EdgeHash>& known) {
-  std::vector<std::pair<Edge, const SoupPolygon*>> edges;
-  for (const SoupPolygon& polygon : soup.polygons) {
-    for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) {
-      const Edge edge = edge_between(a, b);
-      if (a != b && known.insert(edge).second) edges.emplace_back(edge, &polygon);
+/// Each edge once, by vertices: so neighbours in the list are neighbours in space as a rule.
+std::vector<UsedEdge> edges_of(const Soup& soup) {
+  std::vector<UsedEdge> edges;
+  for (std::uint32_t p = 0; p < soup.polygons.size(); ++p) {
+    for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t b) {
+      if (a != b) edges.emplace_back(edge_between(a, b), p);
     });
   }
+  std::sort(edges.begin(), edges.end());
+  const auto same_edge = [](const UsedEdge& a, const UsedEdge& b) { return a.first == b.first; };
+  edges.erase(std::unique(edges.begin(), edges.end(), same_edge), edges.end());
   return edges;
+}
+
+/// The vertices on each edge; edges without any are left out.
+EdgeSplits find_splits(const SegmentSearch& search, const std::vector<UsedEdge>& edges) {
+  EdgeSplits splits;
+  for (const auto& [edge, polygon] : edges) {
+    std::vector<std::uint32_t> inner = search.on(edge);
+    if (!inner.empty()) splits.emplace(edge, std::move(inner));
+  }
+  return splits;
+}
+
+/// The edges that the splits make, each once.
+std::vector<UsedEdge> pieces_of(const std::vector<UsedEdge>& edges, const EdgeSplits& splits) {
+  std::vector<UsedEdge> pieces;
+  std::vector<std::uint32_t> chain;
+  for (const auto& [edge, polygon] : edges) {
+    if (!splits.contains(edge)) continue;
+    chain.clear();
+    append_chain(edge[0], edge[1], splits, chain);
+    chain.push_back(edge[1]);
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      pieces.emplace_back(edge_between(chain[i - 1], chain[i]), polygon);
+    }
+  }
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
+}
+
+void split_loop(std::vector<std::uint32_t>& loop, const EdgeSplits& splits) {
+  const auto next = [&](std::size_t i) { return loop[(i + 1) % loop.size()]; };
+  std::size_t first = 0;
+  while (first < loop.size() && !splits.contains(edge_between(loop[first], next(first)))) ++first;
+  if (first == loop.size()) return;
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < loop.size(); ++i) append_chain(loop[i], next(i), splits, result);
+  loop = std::move(result);
 }
 
 }  // namespace
@@ -70,7 +117,8 @@ std::vector<std::uint32_t> SegmentSearch::on(const Edge& edge) const {
   const Vector d = points_[edge[1]] - a;
   const double length_squared = dot(d, d);
   std::vector<Found> found;
-  tree_.visit([&](const Box& box) { return meets(grown(box, distance_), a, d); },
+  const Slabs slabs(a, d);
+  tree_.visit([&](const Box& box) { return slabs.meet(box, distance_); },
               [&](std::uint32_t vertex) {
                 if (vertex == edge[0] || vertex == edge[1]) return;
                 const Vector offset = points_[vertex] - a;
@@ -96,21 +144,23 @@ void append_chain(std::uint32_t from, std::uint32_t to, const EdgeSplits& splits
 
 bool split_t_junctions(Soup& soup, double tolerance, DefectList& defects) {
   const SegmentSearch search(soup.points, tolerance);
-  std::unordered_set<Edge, EdgeHash> known;
+  std::vector<UsedEdge> edges = edges_of(soup);
   bool changed = false;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    EdgeSplits splits;
-    for (const auto& [edge, polygon] : new_edges(soup, known)) {
-      std::vector<std::uint32_t> inner = search.on(edge);
-      if (inner.empty()) continue;
-      for (const std::uint32_t vertex : inner) defects.add("T-junctions", {polygon->source, soup.points[vertex]});
-      splits.emplace(edge, std::move(inner));
-    }
+  for (int round = 0; round < kMaxRounds && !edges.empty(); ++round) {
+    const EdgeSplits splits = find_splits(search, edges);
     if (splits.empty()) break;
     changed = true;
-    for (SoupPolygon& polygon : soup.polygons) {
-      for (std::vector<std::uint32_t>& loop : polygon.loops) loop = split_loop(loop, splits);
+    for (const auto& [edge, polygon] : edges) {
+      const auto split = splits.find(edge);
+      if (split == splits.end()) continue;
+      for (const std::uint32_t vertex : split->second) {
+        defects.add("T-junctions", {soup.polygons[polygon].source, soup.points[vertex]});
+      }
     }
+    for (SoupPolygon& polygon : soup.polygons) {
+      for (std::vector<std::uint32_t>& loop : polygon.loops) split_loop(loop, splits);
+    }
+    edges = pieces_of(edges, splits);
   }
   return changed;
 }

@@ -24,13 +24,15 @@ VertexIndex::Cell VertexIndex::cell_of(const Point& p) const {
 }
 
 std::optional<std::uint32_t> VertexIndex::find(const Point& p) const {
-  const Cell centre = cell_of(p);
-  double best_distance = cell_;
+  const Vector reach{tolerance_, tolerance_, tolerance_};
+  const Cell low = cell_of(p - reach);
+  const Cell high = cell_of(p + reach);
+  double best_distance = tolerance_;
   std::uint32_t best = kEnd;
-  for (std::int64_t dx = -1; dx <= 1; ++dx) {
-    for (std::int64_t dy = -1; dy <= 1; ++dy) {
-      for (std::int64_t dz = -1; dz <= 1; ++dz) {
-        const auto cell = head_.find({centre.x + dx, centre.y + dy, centre.z + dz});
+  for (std::int64_t x = low.x; x <= high.x; ++x) {
+    for (std::int64_t y = low.y; y <= high.y; ++y) {
+      for (std::int64_t z = low.z; z <= high.z; ++z) {
+        const auto cell = head_.find({x, y, z});
         if (cell == head_.end()) continue;
         for (std::uint32_t i = cell->second; i != kEnd; i = next_[i]) {
           const double distance = norm(points_[i] - p);

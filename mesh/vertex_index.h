@@ -18,7 +18,7 @@ namespace clerestory::mesh {
 class VertexIndex {
  public:
   /// @param tolerance  distance up to which points are one [m], > 0
-  explicit VertexIndex(double tolerance) : cell_(tolerance) {}
+  explicit VertexIndex(double tolerance) : tolerance_(tolerance), cell_(kCellOverTolerance * tolerance) {}
 
   /// The nearest point within the tolerance (the first of equally near ones), or a new one.
   std::uint32_t add(const Point& p);
@@ -41,7 +41,11 @@ class VertexIndex {
 
   [[nodiscard]] Cell cell_of(const Point& p) const;
 
-  double cell_;  ///< side of a cell = tolerance [m], so that the 27 cells around a point hold all that is near
+  /// A few times the tolerance, so that what is near a point lies in its own cell as a rule, and in eight at most.
+  static constexpr double kCellOverTolerance = 8.0;
+
+  double tolerance_;  ///< [m]
+  double cell_;       ///< side of a cell [m]
   std::vector<Point> points_;
   std::unordered_map<Cell, std::uint32_t, Hash> head_;  ///< newest point of a cell; at most a few share one
   std::vector<std::uint32_t> next_;                     ///< the next older point of the same cell
