@@ -20,7 +20,7 @@ constexpr double kFewDrops = 0.05;
 /// A floor's level is told to this [m].
 constexpr float kLevelStep = 0.25F;
 /// So far below the floor of a cell there is no floor of it [m].
-constexpr float kVoidDepth = 0.5F;
+constexpr float kVoidDepth = 0.75F;
 /// A void is a stairwell when nothing in it is farther than this from its edge [m]. Wider ones are cut when they are no more than this
 /// share of their cell.
 constexpr float kHalfStairs = 1.25F;

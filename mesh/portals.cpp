@@ -75,7 +75,7 @@ class Opening {
       box.add(Point{x, y, s.high});
       portal.area_m2 += raster.cell_m * (s.high - s.low);
     }
-    portal.at = box.centre();
+    portal.box = box;
     portal.width_m = std::hypot(box.size().x, box.size().y) + raster.cell_m;
     // A slanted opening has strips along both axes.
     portal.area_m2 = std::min(portal.area_m2, portal.width_m * box.size().z);

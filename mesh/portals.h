@@ -14,7 +14,7 @@ struct Portal {
   CellId b = kNoCell;
   double width_m = 0.0;
   double area_m2 = 0.0;
-  Point at;  ///< its middle [m, local]
+  Box box;  ///< in which it lies [m, local]
 };
 
 /// Portals between spans of different numbers that lie side by side and overlap by at least a height, each connected opening one.

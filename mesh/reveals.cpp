@@ -15,8 +15,10 @@ constexpr double kDeepest = 0.6;
 constexpr double kStep = 0.05;  ///< [m]
 /// The room is wider than its reveal by this at least [m]: more than frames and curtains are.
 constexpr double kJamb = 0.15;
-/// Below the ceiling by this the jambs are looked for: above furniture [m].
-constexpr double kBelowCeiling = 0.15;
+/// A pane is as high as the room when its frame alone is between it and the ceiling [m].
+constexpr double kFrame = 0.2;
+/// Below the top of a pane by this the jambs are looked for: above furniture [m].
+constexpr double kBelowTop = 0.03;
 /// Panes steeper than this have reveals [cosine to the vertical].
 constexpr double kUpright = 0.3;
 
@@ -82,8 +84,8 @@ void set_reveals_apart(const Faces& faces, const Rays& rays, const RoomSearch& s
       Point middle = box.centre();
       const RoomColumn* column = map.at(middle + kDeepest * inwards);
       if (column == nullptr) continue;
-      middle.z = column->ceiling - kBelowCeiling;
-      if (middle.z < box.low.z || middle.z > box.high.z) continue;
+      if (box.low.z > column->ceiling || box.high.z < column->ceiling - kFrame) continue;
+      middle.z = std::min<double>(column->ceiling, box.high.z) - kBelowTop;
       const Reveal reveal = reveal_before(rays, middle, inwards);
       if (reveal.depth > 0.0) reveals.push_back(reveal);
     }

@@ -11,8 +11,8 @@ namespace {
 
 using Links = std::vector<std::array<std::uint32_t, 4>>;
 
-/// Tops of neighbours that differ by less are one ceiling: beams are lower, lintels higher [m].
-constexpr float kBeam = 0.3F;
+/// Tops of neighbours that differ by less than this, and a steep roof's rise over a cell, are one ceiling: lintels are higher [m].
+constexpr float kBeam = 0.15F;
 /// Half of the width from which an opening as high as the room is no door any more [m].
 constexpr float kHalfDoor = 0.6F;
 /// A neck is no narrower than what it joins, from this share on.
@@ -25,6 +25,7 @@ constexpr std::size_t reverse(std::size_t direction) { return direction ^ 1U; }
 void link_columns(const Columns& columns, std::uint32_t a, std::uint32_t b, std::size_t direction, Links& links) {
   const auto [a0, a1] = columns.of(a);
   const auto [b0, b1] = columns.of(b);
+  const float most = kBeam + static_cast<float>(columns.raster.cell_m);
   const auto step = [&](std::uint32_t s, std::uint32_t t) {
     return std::abs(columns.spans[s].high - columns.spans[t].high);
   };
@@ -32,7 +33,7 @@ void link_columns(const Columns& columns, std::uint32_t a, std::uint32_t b, std:
     if (!columns.spans[s].roofed()) continue;
     for (std::uint32_t t = b0; t < b1; ++t) {
       if (!columns.spans[t].roofed() || overlap_m(columns.spans[s], columns.spans[t]) <= 0.0F) continue;
-      if (step(s, t) > kBeam) continue;
+      if (step(s, t) > most) continue;
       std::uint32_t& forth = links[s][direction];
       std::uint32_t& back = links[t][reverse(direction)];
       if (forth != Span::kNone && step(s, forth) <= step(s, t)) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -19,10 +20,10 @@ constexpr float kHeadroom = 1.8F;  ///< [m]
 constexpr double kLeastArea = 0.8;
 /// Rooms are wider than twice this, walls and cupboards narrower [m].
 constexpr float kHalfWidth = 0.3F;
-/// Openings below a lintel join what they connect when they are wider than any door [m], and as wide as the smaller side were if it were
-/// square: what is narrower is a passage from one room to another, what is wider a beam across one room.
+/// Openings from this width on are no doors: they join what they connect [m]. Below a lintel they have to be most of the wall as well,
+/// as below a beam: what leaves more of it is a passage from one room to another.
 constexpr double kWideOpening = 1.6;
-constexpr double kWideShare = 1.0;
+constexpr double kMostOfWall = 2.0 / 3.0;
 /// Places are in a room as far as they are no more than this way [m] from one with this much space around it [m]: what comes after
 /// is a slit.
 constexpr float kCoreClearance = 0.2F;
@@ -65,6 +66,7 @@ RoomCells carried_over(const RoomCells& cells, const Columns& cut, const std::ve
 struct Figures {
   double area_m2 = 0.0;  ///< where one can stand
   float clearance_m = 0.0F;
+  Box plan;
 
   [[nodiscard]] bool is_room() const { return area_m2 >= kLeastArea && clearance_m >= kHalfWidth; }
 };
@@ -77,44 +79,68 @@ std::vector<Figures> figures_of(const Columns& columns, const RoomCells& cells) 
     Figures& mine = figures[static_cast<std::size_t>(cells.of_span[s])];
     mine.area_m2 += cell_area;
     mine.clearance_m = std::max(mine.clearance_m, cells.clearance_m[s]);
+    const std::uint32_t column = columns.spans[s].column;
+    mine.plan.add(Point{columns.raster.x(column), columns.raster.y(column), 0.0});
   }
   return figures;
 }
 
-/// Whether an opening below a lintel is too wide for a door: it joins what it connects.
-bool is_wide(double width_m, double smaller_area_m2) {
-  return width_m >= std::max(kWideOpening, kWideShare * std::sqrt(smaller_area_m2));
+/// Whether an opening below a lintel is too wide for a door between two cells.
+bool is_wide(const Portal& portal, const Figures& a, const Figures& b) {
+  const Vector size = portal.box.size();
+  const Vector wall_a = a.plan.size();
+  const Vector wall_b = b.plan.size();
+  const double wall = size.x > size.y ? std::min(wall_a.x, wall_b.x) : std::min(wall_a.y, wall_b.y);
+  return portal.width_m >= std::max(kWideOpening, kMostOfWall * wall);
 }
 
-/// Cells that are no rooms themselves, such as what lies below a lintel or a beam, with the rooms on their sides.
-using Passages = std::map<CellId, std::vector<std::pair<CellId, double>>>;  // … and the widths of the openings to them
+/// Cells that are no rooms themselves, such as what lies below a lintel or a beam, with their openings to rooms.
+struct Doorway {
+  CellId room = kNoCell;
+  const Portal* opening = nullptr;
+};
+using Passages = std::map<CellId, std::vector<Doorway>>;
+
+Passages passages_of(const std::vector<Portal>& portals, const std::vector<Figures>& figures) {
+  const auto is_room = [&](CellId c) { return figures[static_cast<std::size_t>(c)].is_room(); };
+  Passages passages;
+  for (const Portal& p : portals) {
+    if (is_room(p.a) && !is_room(p.b)) passages[p.b].push_back({p.a, &p});
+    if (is_room(p.b) && !is_room(p.a)) passages[p.a].push_back({p.b, &p});
+  }
+  return passages;
+}
+
+void join_through(CellId passage, const std::vector<Doorway>& doorways, const std::vector<Figures>& figures,
+                  UnionFind& joined) {
+  const auto of = [&](CellId c) -> const Figures& { return figures[static_cast<std::size_t>(c)]; };
+  for (const Doorway& one : doorways) {
+    for (const Doorway& other : doorways) {
+      if (other.room == one.room || !is_wide(*one.opening, of(one.room), of(other.room))) continue;
+      if (!is_wide(*other.opening, of(one.room), of(other.room))) continue;
+      joined.join(one.room, passage);
+      joined.join(other.room, passage);
+    }
+  }
+  // What is wide and does not join belongs to the smallest of the rooms that it leads from.
+  std::vector<Doorway> wide;
+  std::ranges::copy_if(doorways, std::back_inserter(wide),
+                       [](const Doorway& d) { return d.opening->width_m >= kWideOpening; });
+  if (wide.empty()) return;
+  joined.join(std::ranges::min_element(wide, {}, [&](const Doorway& d) { return of(d.room).area_m2; })->room, passage);
+}
 
 void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
   const auto figures = figures_of(columns, cells);
-  const auto of = [&](CellId c) -> const Figures& { return figures[static_cast<std::size_t>(c)]; };
+  const auto portals = find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count));
+  const auto is_room = [&](CellId c) { return figures[static_cast<std::size_t>(c)].is_room(); };
   UnionFind joined(cells.count);
-  Passages passages;
-  for (const Portal& portal : find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count))) {
-    if (of(portal.a).is_room() && of(portal.b).is_room()) {
-      if (is_wide(portal.width_m, std::min(of(portal.a).area_m2, of(portal.b).area_m2)))
-        joined.join(portal.a, portal.b);
-    } else if (of(portal.a).is_room()) {
-      passages[portal.b].emplace_back(portal.a, portal.width_m);
-    } else if (of(portal.b).is_room()) {
-      passages[portal.a].emplace_back(portal.b, portal.width_m);
-    }
+  for (const Portal& p : portals) {
+    // Without a passage between them there is no lintel: one ceiling is just higher than the other.
+    if (is_room(p.a) && is_room(p.b) && p.width_m >= kWideOpening) joined.join(p.a, p.b);
   }
-  for (const auto& [passage, sides] : passages) {
-    for (const auto& [room, width] : sides) {
-      const bool dead_end = std::ranges::all_of(sides, [&](const auto& side) { return side.first == room; });
-      if (dead_end && width >= kWideOpening) joined.join(room, passage);
-      for (const auto& [other, other_width] : sides) {
-        const double smaller = std::min(of(room).area_m2, of(other).area_m2);
-        if (other == room || !is_wide(std::min(width, other_width), smaller)) continue;
-        joined.join(room, passage);
-        joined.join(other, passage);
-      }
-    }
+  for (const auto& [passage, doorways] : passages_of(portals, figures)) {
+    join_through(passage, doorways, figures, joined);
   }
   for (CellId& cell : cells.of_span) {
     if (cell != kNoCell) cell = joined.root(cell);

@@ -110,8 +110,8 @@ class Holes {
   }
 
   void add_direct(const Portal& p) {
-    add(p.a, p.b, p.area_m2, p.at);
-    if (p.b < outside_) add(p.b, p.a, p.area_m2, p.at);
+    add(p.a, p.b, p.area_m2, p.box.centre());
+    if (p.b < outside_) add(p.b, p.a, p.area_m2, p.box.centre());
   }
 
   /// What leads through a doorway leads to the room behind that has the largest part in it.
@@ -125,7 +125,7 @@ class Holes {
         beyond = other;
         most = area_of(theirs);
       }
-      for (const Portal* p : portals) add(room, beyond, std::min(p->area_m2, most), p->at);
+      for (const Portal* p : portals) add(room, beyond, std::min(p->area_m2, most), p->box.centre());
     }
   }
 
@@ -148,7 +148,7 @@ class Holes {
       const auto count = static_cast<double>(shaft.cells);
       const Point at = Point{} + shaft.sum / count;
       if (pair.first >= outside_ || count * cell_area < kLeastHole) continue;
-      add_direct({.a = pair.first, .b = pair.second, .width_m = 0.0, .area_m2 = count * cell_area, .at = at});
+      add_direct({.a = pair.first, .b = pair.second, .width_m = 0.0, .area_m2 = count * cell_area, .box = {at, at}});
     }
   }
 
