@@ -33,6 +33,59 @@ TEST(Clusters, LeavesHoldEveryRootOnce) {
   for (const auto& [root, count] : seen) EXPECT_EQ(count, 1);
 }
 
+/// A room with a shining ceiling and a pane that hangs in its middle.
+Study mixed_room() {
+  mesh::Model model = support::box_room(4, 5, 3);
+  support::add_quad(model, {1, 2.5, 1}, {3, 2.5, 1}, {3, 2.5, 2}, {1, 2.5, 2}, {"glass", "pane"});
+  Study study = test::study_of(std::move(model), 0.5, {2, 2, 1});
+  test::shine(test::material(study, "ceiling"), 100.0);
+  test::glaze(test::material(study, "glass"));
+  return study;
+}
+
+Clusters::Kind kind_of(const test::Stage& stage, mesh::ElementId root) {
+  const mesh::FaceSide side = stage.solution.tree().face_side(root);
+  if (stage.scene.is_pane(side)) return Clusters::Kind::kPanes;
+  return stage.scene.shines(side) ? Clusters::Kind::kShining : Clusters::Kind::kPlain;
+}
+
+/// Counts the leaves of each kind below a cluster.
+void count_kinds(const test::Stage& stage, const Clusters& clusters, std::uint32_t c,
+                 std::map<Clusters::Kind, int>& counts) {
+  if (clusters.is_leaf(c)) {
+    ++counts[kind_of(stage, clusters.root(c))];
+    return;
+  }
+  count_kinds(stage, clusters, clusters.left(c), counts);
+  count_kinds(stage, clusters, clusters.right(c), counts);
+}
+
+TEST(Clusters, TopsAreOfOneKindEachAndHoldEveryRootBetweenThem) {
+  const test::Stage stage(mixed_room());
+  const Clusters clusters(stage.scene, stage.solution.tree());
+  std::map<Clusters::Kind, int> all;
+  for (const std::uint32_t top : clusters.tops()) {
+    std::map<Clusters::Kind, int> of_one;
+    count_kinds(stage, clusters, top, of_one);
+    ASSERT_EQ(of_one.size(), 1U);
+    EXPECT_EQ(of_one.begin()->first, clusters.kind(top));
+    EXPECT_EQ(all.count(clusters.kind(top)), 0U) << "the biggest of its kind";
+    all.insert(*of_one.begin());
+  }
+  std::map<Clusters::Kind, int> expected;
+  for (const mesh::ElementId root : stage.solution.tree().roots()) ++expected[kind_of(stage, root)];
+  EXPECT_EQ(all, expected);
+  EXPECT_EQ(expected[Clusters::Kind::kPanes], 2) << "both sides";
+  EXPECT_EQ(expected[Clusters::Kind::kShining], 1) << "the ceiling's front";
+}
+
+TEST(Clusters, WhatIsAllOfOneKindHasOneTop) {
+  const test::Stage stage(test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1}));
+  const Clusters clusters(stage.scene, stage.solution.tree());
+  EXPECT_EQ(clusters.tops(), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(clusters.kind(0), Clusters::Kind::kPlain);
+}
+
 TEST(Clusters, AreasAddUpAndBoxesHoldTheirChildren) {
   const test::Stage stage(room_study());
   const Clusters clusters(stage.scene, stage.solution.tree());

@@ -5,7 +5,6 @@
 
 #include <numbers>
 
-#include "lighting/point_light.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/shapes.h"
 
@@ -14,36 +13,6 @@ namespace {
 
 using mesh::ElementId;
 using mesh::Point;
-
-struct AtPoint {
-  double x, y, lambertian_lux, isotropic_lux;
-};
-
-TEST(PointIlluminance, MatchesCie171Case52) {
-  PointSource lamp{.at = {0, 0, 3}, .intensity_cd = 1000.0, .lambertian = true};
-  for (const AtPoint& k : {AtPoint{0, 0, 111.111, 111.111},
-                           {.5, 0, 105.186, 106.637},
-                           {1, 0, 90.000, 94.868},
-                           {1.5, 0, 71.111, 79.505},
-                           {.5, .5, 99.723, 102.456},
-                           {1, .5, 85.663, 91.419},
-                           {1.5, .5, 68.053, 76.926},
-                           {1, 1, 74.380, 82.230},
-                           {1.5, 1, 59.975, 69.971},
-                           {1.5, 1.5, 49.383, 60.481}}) {
-    lamp.lambertian = true;
-    EXPECT_NEAR(point_illuminance(lamp, {k.x, k.y, 0}, {0, 0, 1}), k.lambertian_lux, 6e-4) << k.x << ", " << k.y;
-    lamp.lambertian = false;
-    EXPECT_NEAR(point_illuminance(lamp, {k.x, k.y, 0}, {0, 0, 1}), k.isotropic_lux, 6e-4) << k.x << ", " << k.y;
-  }
-}
-
-TEST(PointIlluminance, IsZeroBehindTheSurfaceBehindTheLampAndInIt) {
-  const PointSource lamp{.at = {0, 0, 3}, .intensity_cd = 1000.0, .lambertian = true};
-  EXPECT_EQ(point_illuminance(lamp, {1, 1, 0}, {0, 0, -1}), 0.0);
-  EXPECT_EQ(point_illuminance(lamp, {1, 1, 4}, {0, 0, -1}), 0.0);
-  EXPECT_EQ(point_illuminance(lamp, {0, 0, 3}, {0, 0, 1}), 0.0);
-}
 
 /// Direct light of a study, with its solution as it stands after it.
 struct Lit : test::Stage {

@@ -70,6 +70,27 @@ TEST(EnergyBalance, LampsFluxIsReceivedAndAbsorbed) {
   EXPECT_LT(std::abs(e.residual), 2e-3);
 }
 
+TEST(EnergyBalance, RoomWithAPaneIsInBalanceButForWhatTheGlassTakes) {
+  mesh::Model model = support::box_room(4, 5, 3);
+  support::add_quad(model, {0.5, 2.5, 0.3}, {3.5, 2.5, 0.3}, {3.5, 2.5, 2.7}, {0.5, 2.5, 2.7}, {"glass", "pane"});
+  Study study = test::study_of(std::move(model), 0.5, {2, 2, 1});
+  test::shine(test::material(study, "ceiling"), 100.0);
+  double left_before = -1.0;
+  for (const double transmittance : {0.918, 0.70, 0.30}) {
+    test::glaze(test::material(study, "glass"), transmittance);
+    const EnergyBalance e = balance_of(study);
+    EXPECT_NEAR(e.emitted_lm, 2000.0, 1e-3);
+    EXPECT_LT(std::abs(e.residual), 5e-3) << transmittance;
+    EXPECT_LT(e.closure, 5e-3) << transmittance;
+    EXPECT_GT(e.left_lm, left_before) << "darker glass takes more";
+    if (transmittance == 0.918) {
+      EXPECT_LT(e.left_lm, 5.0) << "glass that takes nothing";
+    }
+    left_before = e.left_lm;
+  }
+  EXPECT_GT(left_before, 100.0);
+}
+
 TEST(EnergyBalance, DarknessIsInBalance) {
   const EnergyBalance e = balance_of(test::study_of(support::facing_squares(), 0.5, {0.5, 0.5, 0.5}));
   EXPECT_EQ(e.emitted_lm, 0.0);

@@ -74,6 +74,30 @@ TEST(Radiosity, FurnaceOfManyMaterialsKeepsItsRadiosity) {
   expect_furnace(study, 40.0);
 }
 
+TEST(Radiosity, FurnaceWithAPaneThatTakesNothingKeepsItsRadiosity) {
+  // What the pane does not let pass, it mirrors: from either side the room looks as bright as without it.
+  mesh::Model model = support::box_room(4, 5, 3);
+  support::add_quad(model, {0.5, 2.5, 0.3}, {3.5, 2.5, 0.3}, {3.5, 2.5, 2.7}, {0.5, 2.5, 2.7}, {"glass", "pane"});
+  Study study = test::study_of(std::move(model), 0.75, {2, 2, 1});
+  look_everywhere(study);
+  for (Material& m : study.materials) test::shine(m, 10.0);
+  test::glaze(test::material(study, "glass"), 0.918);
+  const Solved s(study);
+  double mean = 0.0;
+  double square = 0.0;
+  double area = 0.0;
+  for (const ElementId e : s.solution.elements()) {
+    const mesh::FaceSide side = s.solution.tree().face_side(e);
+    if (side.side != mesh::Side::kFront || s.scene.is_pane(side)) continue;
+    const double relative = s.solution.radiosity(e)[0] / 40.0 - 1.0;
+    mean += s.solution.tree().area(e) * relative;
+    square += s.solution.tree().area(e) * relative * relative;
+    area += s.solution.tree().area(e);
+  }
+  EXPECT_LT(std::abs(mean / area), 1e-3);
+  EXPECT_LT(std::sqrt(square / area), study.accuracy.target / 4.0);
+}
+
 TEST(Radiosity, MeanInAClosedRoomIsTheIntegratingSpheres) {
   // Φ/(A(1 − ρ)), of which the direct light is Φ/A.
   for (const double rho : {0.2, 0.5, 0.8}) {

@@ -98,4 +98,15 @@ void shine(Material& material, double exitance_lm_m2) {
   material.front.emission = Emission{.flux_lm = {}, .luminance_cd_m2 = exitance_lm_m2 / std::numbers::pi};
 }
 
+void glaze(Material& material, double transmittance_normal) {
+  material.front = material.back = {};
+  material.glazing = Glazing{.transmittance_normal = transmittance_normal};
+}
+
+void leave_open(Material& material) {
+  material.front = material.back = {};
+  material.glazing.reset();
+  material.opening = true;
+}
+
 }  // namespace clerestory::lighting::test

@@ -54,4 +54,8 @@ Material& material(Study& study, const std::string& name);
 /// Lets the front of a material shine [lm/m²].
 void shine(Material& material, double exitance_lm_m2);
 
+/// Makes a material clear glass, or an air polygon.
+void glaze(Material& material, double transmittance_normal = 0.70);
+void leave_open(Material& material);
+
 }  // namespace clerestory::lighting::test

@@ -100,6 +100,25 @@ TEST(ElementTree, AreasAddUpFromChildrenToFaces) {
   }
 }
 
+TEST(ElementTree, TrianglesOfANodeCoverItAndFaceItsSide) {
+  Grown g(support::square_with_hole(), 1.0);
+  g.split_all();
+  for (const ElementId e : g.all()) {
+    const auto triangles = g.tree.triangles(e);
+    EXPECT_EQ(triangles.size(), g.tree.is_triangle(e) ? 1U : g.tree.start_triangle_count(e));
+    double area = 0.0;
+    Vector moment;
+    for (const auto& t : triangles) {
+      const double own = 0.5 * dot(cross(t[1] - t[0], t[2] - t[0]), g.tree.normal(e));
+      EXPECT_GT(own, 0.0) << "counter-clockwise seen from its side";
+      area += own;
+      for (const Point& corner : t) moment = moment + (own / 3.0) * (corner - g.tree.centroid(e));
+    }
+    EXPECT_NEAR(area, g.tree.area(e), 1e-10);
+    EXPECT_NEAR(norm(moment), 0.0, 1e-9) << "about the node's centroid";
+  }
+}
+
 TEST(ElementTree, BothSidesOfAFaceHaveTheirOwnNodesAndOppositeNormals) {
   const Grown g(support::facing_squares());
   const FaceId lower = support::faces_of(g.faces, "lower").at(0);
