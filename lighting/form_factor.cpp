@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lighting/arc_tangent.h"
+
 namespace clerestory::lighting {
 
 using mesh::OutlineEdge;
@@ -18,7 +20,7 @@ double lambert_term(const Vector& a, const Vector& b, const Vector& n) {
   const Vector c = cross(a, b);
   const double sine = norm(c);
   if (sine <= 0.0) return 0.0;
-  return std::atan2(sine, dot(a, b)) * dot(c, n) / sine;
+  return arc_tangent(sine, dot(a, b)) * dot(c, n) / sine;
 }
 
 }  // namespace
@@ -44,14 +46,14 @@ double point_form_factor(const Point& point, const Vector& normal, std::span<con
       const Vector crossing = a + (ha / (ha - hb)) * (b - a);
       const double along = dot(crossing, line);
       const double across = norm(crossing - along * line);
-      const double angle = std::atan2(along, across);
+      const double angle = arc_tangent(along, across);
       closing += ha < 0.0 ? angle : -angle;
       (ha < 0.0 ? a : b) = crossing;
     } else if (ha == 0.0 || hb == 0.0) {
       // A corner on the horizon: only the edge that comes from above or goes there crosses it.
       const Vector& corner = ha == 0.0 ? a : b;
       const double along = dot(corner, line);
-      const double angle = std::atan2(along, norm(corner - along * line));
+      const double angle = arc_tangent(along, norm(corner - along * line));
       closing += ha == 0.0 ? angle : -angle;
     }
     sum += lambert_term(a, b, normal);
@@ -92,7 +94,7 @@ double inner_integral(const Point& q, const Point& a, const Vector& direction, d
   const auto primitive = [&](double t) {
     const double r2 = t * t + distance2;
     if (r2 <= 0.0) return 0.0;
-    return 0.5 * t * std::log(r2) - t + (distance > 0.0 ? distance * std::atan(t / distance) : 0.0);
+    return 0.5 * t * std::log(r2) - t + (distance > 0.0 ? distance * arc_tangent(t, distance) : 0.0);
   };
   return primitive(end) - primitive(begin);
 }

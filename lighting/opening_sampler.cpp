@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lighting/arc_tangent.h"
+
 namespace clerestory::lighting {
 
 using mesh::Point;
@@ -18,27 +20,22 @@ constexpr double kTinySolidAngle = 1e-5;
 double triangle_solid_angle(const Vector& a, const Vector& b, const Vector& c) {
   const double above = std::abs(dot(a, cross(b, c)));
   const double below = 1.0 + dot(a, b) + dot(b, c) + dot(c, a);
-  return 2.0 * std::atan2(above, below);
+  return 2.0 * arc_tangent(above, below);
 }
-
-double clamped_acos(double x) { return std::acos(std::clamp(x, -1.0, 1.0)); }
 
 /// The part of x that is orthogonal to a, normalised.
 Vector orthogonal(const Vector& x, const Vector& a) { return normalized(x - dot(x, a) * a); }
 
-/// Arvo's algorithm; A, B, C unit vectors.
-Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& c, double x, double y) {
-  const Vector ab = normalized(cross(a, b));
-  const Vector bc = normalized(cross(b, c));
-  const Vector ca = normalized(cross(c, a));
-  const double alpha = clamped_acos(-dot(ca, ab));
-  const double beta = clamped_acos(-dot(ab, bc));
-  const double gamma = clamped_acos(-dot(bc, ca));
-  const double area = x * (alpha + beta + gamma - 3.14159265358979323846);
-  const double s = std::sin(area - alpha);
-  const double t = std::cos(area - alpha);
-  const double cos_alpha = std::cos(alpha);
-  const double sin_alpha = std::sin(alpha);
+/// Arvo's algorithm; A, B, C unit vectors that span a solid angle.
+Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& c, double solid_angle, double x,
+                                double y) {
+  const double cos_alpha = std::clamp(-dot(normalized(cross(c, a)), normalized(cross(a, b))), -1.0, 1.0);
+  const double sin_alpha = std::sqrt(1.0 - cos_alpha * cos_alpha);
+  const double area = x * solid_angle;
+  const double sin_area = std::sin(area);
+  const double cos_area = std::cos(area);
+  const double s = sin_area * cos_alpha - cos_area * sin_alpha;  // of the angle area - alpha
+  const double t = cos_area * cos_alpha + sin_area * sin_alpha;
   const double cos_c = dot(a, b);
   const double u = t - cos_alpha;
   const double v = s + sin_alpha * cos_c;
@@ -52,27 +49,30 @@ Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& 
 }  // namespace
 
 OpeningSampler::OpeningSampler(const Point& from, std::span<const std::array<Point, 3>> triangles)
-    : from_(from), triangles_(triangles) {
-  cumulative_.reserve(triangles.size());
-  for (const auto& t : triangles) {
+    : from_(from), triangles_(triangles), many_(triangles.size() > kFew ? triangles.size() : 0) {
+  const std::span<double> cumulative = triangles.size() > kFew ? std::span(many_) : std::span(few_);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
     total_ += triangle_solid_angle(normalized(t[0] - from), normalized(t[1] - from), normalized(t[2] - from));
-    cumulative_.push_back(total_);
+    cumulative[i] = total_;
   }
 }
 
 SolidAngleSample OpeningSampler::sample(double a, double b) const {
   if (total_ <= 0.0) return {};
+  const std::span<const double> cumulative =
+      triangles_.size() > kFew ? std::span(many_) : std::span(few_).first(triangles_.size());
   const double wanted = a * total_;
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), wanted);
-  const auto i = static_cast<std::size_t>(std::min(found, cumulative_.end() - 1) - cumulative_.begin());
-  const double before = i == 0 ? 0.0 : cumulative_[i - 1];
-  const double own = cumulative_[i] - before;
+  const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), wanted);
+  const auto i = static_cast<std::size_t>(std::min(found, cumulative.end() - 1) - cumulative.begin());
+  const double before = i == 0 ? 0.0 : cumulative[i - 1];
+  const double own = cumulative[i] - before;
   if (own <= 0.0) return {};
   const double x = std::clamp((wanted - before) / own, 0.0, 1.0);
   const auto& t = triangles_[i];
   if (own >= kTinySolidAngle) {
-    const Vector d =
-        spherical_triangle_point(normalized(t[0] - from_), normalized(t[1] - from_), normalized(t[2] - from_), x, b);
+    const Vector d = spherical_triangle_point(normalized(t[0] - from_), normalized(t[1] - from_),
+                                              normalized(t[2] - from_), own, x, b);
     return {d, total_};
   }
   const double r = std::sqrt(x);

@@ -28,7 +28,10 @@ class OpeningSampler {
  private:
   mesh::Point from_;
   std::span<const std::array<mesh::Point, 3>> triangles_;
-  std::vector<double> cumulative_;
+  /// Solid angles up to each triangle: few of them without a visit to the heap, since many samplers serve one ray.
+  static constexpr std::size_t kFew = 8;
+  std::array<double, kFew> few_{};
+  std::vector<double> many_;
   double total_ = 0.0;
 };
 

@@ -29,6 +29,23 @@ constexpr std::array<std::uint32_t, 32> sobol_directions(std::uint32_t degree, s
 inline constexpr std::array<std::array<std::uint32_t, 32>, 3> kSobolDirections{
     sobol_directions(1, 0, {1, 0, 0}), sobol_directions(2, 1, {1, 3, 0}), sobol_directions(3, 1, {1, 3, 1})};
 
+/// What each value of each nibble of an index brings to a coordinate: eight look-ups in place of a loop over bits.
+using SobolNibbles = std::array<std::array<std::uint32_t, 16>, 8>;
+constexpr SobolNibbles sobol_nibbles(const std::array<std::uint32_t, 32>& directions) {
+  SobolNibbles table{};
+  for (std::size_t nibble = 0; nibble < 8; ++nibble) {
+    for (std::uint32_t value = 0; value < 16; ++value) {
+      for (std::size_t bit = 0; bit < 4; ++bit) {
+        if (((value >> bit) & 1U) != 0) table[nibble][value] ^= directions[4 * nibble + bit];
+      }
+    }
+  }
+  return table;
+}
+
+inline constexpr std::array<SobolNibbles, 3> kSobolNibbles{
+    sobol_nibbles(kSobolDirections[0]), sobol_nibbles(kSobolDirections[1]), sobol_nibbles(kSobolDirections[2])};
+
 /// Points of Sobol's sequence in up to four dimensions, each dimension scrambled on its own by a hash [Owen 1995; Laine, Karras
 /// 2011]: any 2^k consecutive aligned points are stratified, and sequences of different seeds are independent.
 class SobolPoints {
@@ -66,10 +83,9 @@ class SobolPoints {
 
   static constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     if (dimension == 0) return reverse_bits(index);
+    const SobolNibbles& table = kSobolNibbles[dimension - 1];
     std::uint32_t x = 0;
-    for (std::uint32_t bit = 0; index != 0; ++bit, index >>= 1U) {
-      if ((index & 1U) != 0) x ^= kSobolDirections[dimension - 1][bit];
-    }
+    for (std::size_t nibble = 0; nibble < 8; ++nibble) x ^= table[nibble][(index >> (4 * nibble)) & 15U];
     return x;
   }
 

@@ -93,6 +93,20 @@ void ElementTree::add_region(const Triangulation& mesh, std::vector<Triangle> tr
   nodes_.push_back(root);
   roots_.push_back(ElementId(id));
   build_groups(mesh, id);
+  add_up_areas(id);
+}
+
+void ElementTree::add_up_areas(std::uint32_t root) {
+  start_node_.resize(start_.size());
+  area_before_.resize(start_.size());
+  for (std::uint32_t n = root; n < nodes_.size(); ++n) {
+    if (nodes_[n].triangle) start_node_[nodes_[n].begin] = n;
+  }
+  double area = 0.0;
+  for (std::uint32_t i = nodes_[root].begin; i < nodes_[root].end; ++i) {
+    area_before_[i] = area;
+    area += nodes_[start_node_[i]].area;
+  }
 }
 
 void ElementTree::build_groups(const Triangulation& mesh, std::uint32_t root) {
@@ -252,17 +266,13 @@ std::vector<std::array<Point, 3>> ElementTree::triangles(ElementId e) const {
 
 Point ElementTree::sample(ElementId e, double a, double b) const {
   const Node* n = &node(e);
-  // Down the groups: the first coordinate chooses the child by area and is stretched again.
-  while (!n->triangle) {
-    const Node& first = nodes_[n->first_child];
-    const double share = first.area / n->area;
-    if (a < share) {
-      a /= share;
-      n = &first;
-    } else {
-      a = share < 1.0 ? (a - share) / (1.0 - share) : 0.0;
-      n = &nodes_[n->first_child + 1];
-    }
+  if (!n->triangle) {
+    // The first coordinate chooses the triangle by area and is stretched again.
+    const double wanted = area_before_[n->begin] + a * n->area;
+    const auto before = area_before_.begin();
+    const auto i = std::upper_bound(before + n->begin + 1, before + n->end, wanted) - before - 1;
+    n = &nodes_[start_node_[static_cast<std::size_t>(i)]];
+    a = std::clamp((wanted - area_before_[static_cast<std::size_t>(i)]) / n->area, 0.0, 1.0);
   }
   return n->centroid + kInside * (in_triangle(corners_[n->shape], a, b) - n->centroid);
 }

@@ -113,6 +113,7 @@ class ElementTree {
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
   void add_region(const Triangulation& mesh, std::vector<Triangle> triangles, FaceSide side);
   void build_groups(const Triangulation& mesh, std::uint32_t root);
+  void add_up_areas(std::uint32_t root);
   void finish_group(const Triangulation& mesh, Node& group);
   void add_second_moments(const Triangulation& mesh, Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
@@ -129,6 +130,8 @@ class ElementTree {
   std::vector<Group> groups_;
   std::vector<OutlineEdge> edges_;
   std::vector<StartTriangle> start_;
+  std::vector<std::uint32_t> start_node_;  ///< [start triangles] the node of each
+  std::vector<double> area_before_;        ///< [start triangles] of those ahead of it in its region
 };
 
 }  // namespace clerestory::mesh
