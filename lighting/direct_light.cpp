@@ -68,7 +68,7 @@ struct Measurement {
 
 /// Adds up what rays from a node end on.
 struct Collector {
-  const Scene* scene;
+  const Solution* solution;
   bool surfaces_count = false;
   std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
   double sky_lux = 0.0;
@@ -76,13 +76,14 @@ struct Collector {
 
   void surface(const SurfacePoint& seen, float weight, bool) {
     if (!surfaces_count) return;
-    if (beyond != nullptr) beyond->push_back({seen, weight});
-    const float rho = luminance(scene->side_reflectance(seen.side), scene->channel_weights);
-    const float own = luminance(scene->side_exitance(seen.side), scene->channel_weights);
-    guess_lux += weight * (own + rho * kBeyondGuess * scene->sky.horizontal_illuminance_lux);
+    if (beyond != nullptr) beyond->push_back(seen_surface(*solution, seen, weight));
+    const Scene& scene = solution->scene();
+    const float rho = luminance(scene.side_reflectance(seen.side), scene.channel_weights);
+    const float own = luminance(scene.side_exitance(seen.side), scene.channel_weights);
+    guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.horizontal_illuminance_lux);
   }
   void sky(const Vector& direction, float weight, bool) {
-    sky_lux += weight * std::numbers::pi * sky_luminance(scene->sky, direction);
+    sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };
 
@@ -91,6 +92,15 @@ struct Collector {
 PathRule rule_of(std::int32_t opening) {
   if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
   return {PathRule::Part::kOpening, opening, true};
+}
+
+/// The place of an opening that belongs to (a, b) in the unit square, about uniform by area.
+Point point_of(const Opening& opening, double a, double b) {
+  const double n = a * static_cast<double>(opening.triangles.size());
+  const auto i = std::min(static_cast<std::size_t>(n), opening.triangles.size() - 1);
+  const auto& t = opening.triangles[i];
+  const double r = std::sqrt(n - static_cast<double>(i));
+  return t[0] + (r * (1.0 - b) * (t[1] - t[0]) + r * b * (t[2] - t[0]));
 }
 
 double reflectance_of(const Solution& solution, ElementId e) {
@@ -169,6 +179,12 @@ class NodeSampler {
   }
 
  private:
+  /// A shadow ray that tells whether an opening, or the open sky, can be seen.
+  struct Probe {
+    mesh::Segment segment;
+    Vector direction;
+    bool possible = false;
+  };
   struct Places {
     std::array<PlaneSample, kPoints> samples;
     std::array<Point, kPoints> lifted;
@@ -180,6 +196,8 @@ class NodeSampler {
   [[nodiscard]] bool in_view(ElementId e, std::uint32_t k) const;
   [[nodiscard]] bool may_see(ElementId e, std::uint32_t k) const;
   [[nodiscard]] bool sees(ElementId e, std::int32_t opening) const;
+  [[nodiscard]] Probe probe(ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
+  [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
   void survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const;
   void survey_sky(ElementId e, std::uint64_t key, Places& places, Survey& result) const;
   void survey_point_sources(ElementId e, Places& places, Survey& result) const;
@@ -246,7 +264,7 @@ void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key
       const double cosine = dot(s.direction, normal);
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
-      Collector collector{&scene(), true};
+      Collector collector{&solution_, true};
       follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
       places.samples[i].value += lux;
@@ -262,7 +280,7 @@ void NodeSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, Sur
   for (std::uint32_t i = 0; i < kPoints; ++i) {
     for (std::uint32_t j = 0; j < kDirections; ++j) {
       const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
-      Collector collector{&scene()};
+      Collector collector{&solution_};
       follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
       places.samples[i].value += collector.sky_lux / kDirections;
       result.received += collector.sky_lux / (kDirections * kPoints);
@@ -301,15 +319,48 @@ NodeSampler::Start NodeSampler::start(ElementId e, std::int32_t opening, const S
   return ray;
 }
 
+/// A probe from a place of a node to a place of an opening, or out of the model.
+NodeSampler::Probe NodeSampler::probe(ElementId e, std::int32_t opening, const SobolPoints& numbers,
+                                      std::uint32_t i) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& normal = tree.normal(e);
+  const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  if (opening == kOpenSky) {
+    const Vector d = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
+    return {{at, at + 2.0 * scene().rays->bounds().diagonal() * d}, d, true};
+  }
+  const Opening& o = scene().openings[static_cast<std::size_t>(opening)];
+  const Point inside = point_of(o, numbers.at(i, 2), numbers.at(i, 3)) - scene().rays->offset_m() * o.outward;
+  const Vector d = inside - at;
+  return {{at, inside}, normalized(d), dot(d, normal) > 0.0 && dot(d, o.outward) > 0.0};
+}
+
+/// Whether anything bright lies where an unobstructed probe leads.
+bool NodeSampler::is_lit(const Probe& probe, std::int32_t opening) const {
+  if (opening == kOpenSky) return sky_luminance(scene().sky, probe.direction) > 0.0;
+  Collector collector{&solution_, true};
+  follow(scene(), probe.segment.from, probe.direction, 1.0F, rule_of(opening), collector);
+  return collector.sky_lux + collector.guess_lux > 0.0;
+}
+
 bool NodeSampler::sees(ElementId e, std::int32_t opening) const {
+  constexpr std::uint32_t kBatch = 16;
   const SobolPoints numbers(
       mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
-  for (std::uint32_t i = 0; i < kProbes; ++i) {
-    const Start ray = start(e, opening, numbers, i);
-    if (ray.weight <= 0.0) continue;
-    Collector collector{&scene(), opening != kOpenSky};
-    follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
-    if (collector.sky_lux + collector.guess_lux > 0.0) return true;
+  std::array<Probe, kBatch> probes;
+  std::array<mesh::Segment, kBatch> segments;
+  std::array<float, kBatch> passed{};
+  for (std::uint32_t first = 0; first < kProbes; first += kBatch) {
+    std::size_t count = 0;
+    for (std::uint32_t i = first; i < first + kBatch; ++i) {
+      probes[count] = probe(e, opening, numbers, i);
+      segments[count] = probes[count].segment;
+      count += probes[count].possible ? 1 : 0;
+    }
+    scene().rays->transmittance(std::span(segments).first(count), std::span(passed).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (passed[i] > 0.0F && is_lit(probes[i], opening)) return true;
+    }
   }
   return false;
 }
@@ -325,7 +376,7 @@ double NodeSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t
       const Start ray = start(e, opening, numbers, i);
       if (ray.weight <= 0.0) continue;
       const double weight = ray.weight / (rays * kBatches);
-      Collector collector{&scene(), opening != kOpenSky, &result.beyond};
+      Collector collector{&solution_, opening != kOpenSky, &result.beyond};
       const std::size_t first = result.beyond.size();
       follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
       for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);

@@ -18,15 +18,18 @@ namespace {
 
 /// Keeps what the node's other light does not hold: sky and openings are direct light, shining surfaces have links.
 struct Collector {
-  const Scene* scene;
+  const Solution* solution;
   HemisphereView* view;
   float factor;
 
   void surface(const SurfacePoint& point, float weight, bool beyond) {
-    if (beyond || !scene->shines(point.side)) view->seen.push_back({point, factor * weight});
+    if (beyond || !solution->scene().shines(point.side)) {
+      view->seen.push_back(seen_surface(*solution, point, factor * weight));
+    }
   }
   void sky(const Vector& direction, float weight, bool beyond) {
-    if (beyond) view->mirrored_sky_lux += factor * weight * std::numbers::pi * sky_luminance(scene->sky, direction);
+    if (beyond)
+      view->mirrored_sky_lux += factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };
 
@@ -41,7 +44,7 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
   for (std::size_t set = 0; set < HemisphereView::kSets; ++set) {
     view.starts[set] = view.seen.size();
     const SobolPoints numbers(mesh::hash(mesh::hash(tree.key(node), seed), 0x4E0 + set));
-    Collector collector{&scene, &view, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
+    Collector collector{&solution, &view, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
     for (std::uint32_t i = 0; i < each; ++i) {
       const Point at =
           tree.sample(node, numbers.at(i, 0), numbers.at(i, 1)) + scene.rays->offset_m() * tree.normal(node);
@@ -59,7 +62,7 @@ HemisphereView::Estimate HemisphereView::estimate(const Solution& solution) cons
   for (std::size_t set = 0; set < kSets; ++set) {
     double lux = 0.0;
     for (std::size_t i = starts[set]; i < starts[set + 1]; ++i) {
-      const ElementId e = solution.element_at(seen[i].point.side, seen[i].point.region, seen[i].point.at);
+      const ElementId e = solution.element_at(seen[i].node, seen[i].at);
       if (e.valid()) lux += kSets * static_cast<double>(seen[i].factor) * solution.radiosity_mean(e);
     }
     result.mean_lux += lux / kSets;

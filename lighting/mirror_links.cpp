@@ -37,12 +37,14 @@ struct Reflections {
 };
 
 struct Collector {
-  const Scene* scene;
+  const Solution* solution;
   Reflections* into;
 
-  void surface(const SurfacePoint& point, float weight, bool) { into->seen.push_back({point, weight}); }
+  void surface(const SurfacePoint& point, float weight, bool) {
+    into->seen.push_back(seen_surface(*solution, point, weight));
+  }
   void sky(const Vector& direction, float weight, bool) {
-    into->sky_lux += weight * std::numbers::pi * sky_luminance(scene->sky, direction);
+    into->sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };
 
@@ -133,7 +135,7 @@ class Follower {
     const float mirrored = mesh::transmittance_at(scene().glazings[static_cast<std::size_t>(glazing)].reflectance,
                                                   static_cast<float>(cosine));
     const Vector onwards = normalized(aim.direction + (2.0 * cosine) * facing);
-    Collector collector{&scene(), &result};
+    Collector collector{&solution_, &result};
     follow(scene(), before, onwards, static_cast<float>(factor) * passed * mirrored,
            PathRule{PathRule::Part::kAll, -1, true}, collector, 1);
   }

@@ -12,9 +12,15 @@ namespace clerestory::lighting {
 
 /// A surface that a ray from a receiver ends on, with the form factor that the ray stands for.
 struct SeenSurface {
-  SurfacePoint point;
+  mesh::ElementId
+      node;  ///< the deepest that held the place when the ray was traced; invalid where the surface has no elements
+  mesh::Point at;
   float factor = 0.0F;
 };
+
+inline SeenSurface seen_surface(const Solution& solution, const SurfacePoint& point, float factor) {
+  return {solution.tree().find(point.side, point.region, point.at), point.at, factor};
+}
 
 /// Links of one receiver to what its rays end on, one a source element, in the order of their ids. Where on the source the rays
 /// end, makes the link follow the line of its radiosity.

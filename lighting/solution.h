@@ -42,6 +42,8 @@ class Solution {
 
   /// The element that holds a point of a region of a face side; invalid where the side carries none.
   [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const;
+  /// The same from a node that was found for the point before, whatever has been split since; invalid from an invalid one.
+  [[nodiscard]] mesh::ElementId element_at(mesh::ElementId node, const mesh::Point& point) const;
   /// All elements, in order of their ids.
   [[nodiscard]] std::vector<mesh::ElementId> elements() const;
 

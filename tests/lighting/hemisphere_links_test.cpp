@@ -62,7 +62,8 @@ TEST(LookAround, ShiningSurfacesAreLeftToTheirLinks) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const HemisphereView view = look_around(stage.solution, stage.root("floor"), kRays, seed);
     mean += sum_of_factors(view) / kSeeds;
-    for (const SeenSurface& one : view.seen) EXPECT_FALSE(stage.scene.shines(one.point.side));
+    for (const SeenSurface& one : view.seen)
+      EXPECT_FALSE(stage.scene.shines(stage.solution.tree().face_side(one.node)));
   }
   EXPECT_NEAR(mean, 1.0 - kFloorToCeiling, 0.01) << "the ceiling's share is missing";
 }

@@ -31,7 +31,8 @@ struct Facing : test::Stage {
     for (std::uint32_t i = 0; i < count; ++i) {
       const double x = numbers.at(i, 0);
       const double y = numbers.at(i, 1);
-      found.push_back({{side, 0, local({part * x * x, part * y * y, 0.0})}, 0.002F * static_cast<float>(1 + i % 5)});
+      const SurfacePoint point{side, 0, local({part * x * x, part * y * y, 0.0})};
+      found.push_back(seen_surface(solution, point, 0.002F * static_cast<float>(1 + i % 5)));
     }
     return found;
   }
@@ -39,8 +40,8 @@ struct Facing : test::Stage {
   [[nodiscard]] double brought(std::span<const SeenSurface> rays) const {
     double lux = 0.0;
     for (const SeenSurface& ray : rays) {
-      const ElementId e = solution.element_at(ray.point.side, ray.point.region, ray.point.at);
-      lux += static_cast<double>(ray.factor) * solution.radiosity_at(e, ray.point.at, 0, true);
+      const ElementId e = solution.element_at(ray.node, ray.at);
+      lux += static_cast<double>(ray.factor) * solution.radiosity_at(e, ray.at, 0, true);
     }
     return lux;
   }
@@ -84,6 +85,20 @@ TEST(LinksToSeen, SourcesAreTheElementsAsTheyStandInTheOrderOfTheirIds) {
     }
   }
   EXPECT_NEAR(facing.carried(links), facing.brought(rays), 1e-5 * facing.brought(rays));
+}
+
+TEST(LinksToSeen, RaysFromBeforeASplitEndOnTheParts) {
+  Facing facing;
+  const auto rays = facing.seen(200, 1.0);
+  const ElementId lower = facing.root("lower");
+  facing.solution.open(lower);
+  facing.solution.open(facing.solution.tree().first_child(lower));
+  facing.shade();
+  const auto again = facing.seen(200, 1.0);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(facing.solution.element_at(rays[i].node, rays[i].at),
+              facing.solution.element_at(again[i].node, again[i].at));
+  }
 }
 
 TEST(LinksToSeen, KeepTheReceiverItsSlopeAndTheSumOfFactors) {
