@@ -33,8 +33,10 @@ struct Reader {
 };
 
 constexpr std::array kReaders{
-    Reader{"OBJ", " .obj ", nullptr, &read_obj}, Reader{"STL", " .stl ", &is_text_stl, &read_stl},
-    Reader{"PLY", " .ply ", &is_ply, &read_ply}, Reader{"OFF", " .off ", &is_off, &read_off},
+    Reader{"OBJ", " .obj ", nullptr, &read_obj},
+    Reader{"STL", " .stl ", &is_text_stl, &read_stl},
+    Reader{"PLY", " .ply ", &is_ply, &read_ply},
+    Reader{"OFF", " .off ", &is_off, &read_off},
     Reader{"DXF", " .dxf ", &is_dxf, &read_dxf},
     Reader{"Radiance", " .rad ", &looks_like_radiance, &read_radiance},
     Reader{"glTF", " .gltf .glb ", &is_glb, &read_gltf},
