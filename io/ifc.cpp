@@ -36,6 +36,7 @@ class MaterialNames {
     if (surface && known != names_.end()) return known->second;
     SourceMaterial told;
     told.told_by = "the surface colour of the IFC";
+    told.gamma_removed = true;
     if (surface) {
       const IfcSurface& look = building_.surfaces[*surface];
       told.name = look.name;
@@ -183,6 +184,7 @@ ModelFile import_ifc(const std::filesystem::path& path, const ModelFormat& forma
   file.spaces = spaces_of(building, scale);
   file.site = building.site;
   file.unit = format.unit.value_or(unit_of(building.metres_per_unit));
+  file.unit_source = format.unit ? "as given" : "as the IFC says";
   file.notices = std::move(building.notices);
   return file;
 }

@@ -49,6 +49,13 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+std::string how_it_was_told(const SourceMaterial& source) {
+  if (source.photometric) return "What the file says in photometric terms was taken as diffuse reflectance";
+  return capitalised(source.told_by) + (source.gamma_removed
+                                            ? " was taken as diffuse reflectance, after its gamma (sRGB) was taken off"
+                                            : " was taken as diffuse reflectance, linear, without a gamma to take off");
+}
+
 std::string told(const std::vector<std::string>& names) { return (names.size() == 1 ? " " : "s ") + list_names(names); }
 
 }  // namespace
@@ -108,10 +115,7 @@ std::optional<lighting::Spectrum> MaterialAssumptions::told_reflectance(const So
   const auto [least, most] = std::minmax_element(colour.begin(), colour.end());
   if (*least < 0.0 || *most > kMostReflectance) implausible_.push_back(source.name);
   for (double& band : colour) band = std::clamp(band, 0.0, kMostReflectance);
-  told_by_[source.photometric
-               ? "What the file says in photometric terms was taken as diffuse reflectance"
-               : capitalised(source.told_by) + " was taken as diffuse reflectance, linear, without a gamma to take off"]
-      .push_back(source.name);
+  told_by_[how_it_was_told(source)].push_back(source.name);
   if (is_grey(colour)) return lighting::Spectrum{static_cast<float>(colour[0])};
   return lighting::Spectrum{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                             static_cast<float>(colour[2])};

@@ -101,6 +101,7 @@ void ModelBuilder::choose_unit(ModelFile& result, const ModelFormat& format,
                                const std::optional<ToldUnit>& told) const {
   if (format.unit) {
     result.unit = *format.unit;
+    result.unit_source = "as given";
     return;
   }
   mesh::Box box;
@@ -109,6 +110,7 @@ void ModelBuilder::choose_unit(ModelFile& result, const ModelFormat& format,
   const double height = result.up == UpAxis::kZ ? size.z : size.y;
   const double depth = result.up == UpAxis::kZ ? size.y : size.z;
   result.unit = told ? told->unit : guess_unit(height);
+  result.unit_source = told ? told->where : "guessed from the model's size";
   const double scale = metres_per(result.unit);
   const std::string why = told ? fmt::format("is {}, {}", unit_word(result.unit), told->where)
                                : fmt::format("was taken as {} from the model's size", unit_word(result.unit));

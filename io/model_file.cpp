@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "io/collada.h"
@@ -57,12 +58,20 @@ const Reader* reader_by_content(std::string_view head) {
   return nullptr;
 }
 
+bool is_photometry_or_weather(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 4> kExtensions{".ies", ".ldt", ".epw", ".wea"};
+  return std::find(kExtensions.begin(), kExtensions.end(), lower(path.extension().string())) != kExtensions.end();
+}
+
 }  // namespace
 
 ModelFile read_model(const std::filesystem::path& path, const ModelFormat& format) {
   require_file(path, "model");
   const Reader* reader = reader_by_content(read_head(path, 4096));
   if (reader == nullptr) reader = reader_by_extension(path);
+  if (reader == nullptr && is_photometry_or_weather(path))
+    throw InputError(path.string(), 0, "photometric and weather files are not read by this version",
+                     "give a model or a study");
   if (reader == nullptr)
     throw InputError(path.string(), 0, fmt::format("{} is no model", in_quotes(path.filename().string())),
                      fmt::format("export it as one of {}", fmt::join(model_format_words(), ", ")));

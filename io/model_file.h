@@ -42,9 +42,10 @@ struct ModelFile {
   std::vector<std::string> unused_materials;
   std::vector<ModelSpace> spaces;
   ModelSite site;
-  LengthUnit unit = LengthUnit::kMetre;      ///< that was taken
-  UpAxis up = UpAxis::kZ;                    ///< that was taken
-  std::vector<std::string> notices;          ///< how the unit was found, what was left out; one sentence each
+  LengthUnit unit = LengthUnit::kMetre;  ///< that was taken
+  std::string unit_source;               ///< "as line 1 of the model says", "guessed from the model's size", "as given"
+  UpAxis up = UpAxis::kZ;                ///< that was taken
+  std::vector<std::string> notices;      ///< how the unit was found, what was left out; one sentence each
   std::vector<std::filesystem::path> files;  ///< that were read, the model first
 };
 

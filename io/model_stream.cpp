@@ -35,9 +35,9 @@ void each_field(T& model, const Each& each) {
 template <Is<SourceMaterial> T, class Each>
 void each_field(T& material, const Each& each) {
   auto& [name, file, line, told_by, photometric, diffuse, specular, opacity, transmittance_normal, translucent,
-         luminance, textured, shines] = material;
+         luminance, gamma_removed, textured, shines] = material;
   each(name, file, line, told_by, photometric, diffuse, specular, opacity, transmittance_normal, translucent, luminance,
-       textured, shines);
+       gamma_removed, textured, shines);
 }
 
 template <Is<ModelSpace> T, class Each>
@@ -54,8 +54,8 @@ void each_field(T& site, const Each& each) {
 
 template <Is<ModelFile> T, class Each>
 void each_field(T& file, const Each& each) {
-  auto& [format, model, materials, unused_materials, spaces, site, unit, up, notices, files] = file;
-  each(format, model, materials, unused_materials, spaces, site, unit, up, notices, files);
+  auto& [format, model, materials, unused_materials, spaces, site, unit, unit_source, up, notices, files] = file;
+  each(format, model, materials, unused_materials, spaces, site, unit, unit_source, up, notices, files);
 }
 
 template <Is<ModelAnswer> T, class Each>

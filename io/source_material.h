@@ -29,8 +29,9 @@ struct SourceMaterial {
   std::optional<double> translucent = {};
   /// Shines with Lambert's law from its front side, in photometric terms.
   std::optional<double> luminance_cd_m2 = {};
-  bool textured = false;  ///< its colour lies in an image, so that `diffuse` may say nothing
-  bool shines = false;    ///< shines in terms that have no photometric meaning
+  bool gamma_removed = false;  ///< `diffuse` was told with the gamma of sRGB, which the reader took off
+  bool textured = false;       ///< its colour lies in an image, so that `diffuse` may say nothing
+  bool shines = false;         ///< shines in terms that have no photometric meaning
 };
 
 }  // namespace clerestory::io

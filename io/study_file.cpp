@@ -74,15 +74,18 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   lighting::Study& study = input.study;
   study.kind = options.kind;
   study.name = study_or_model.stem().string();
-  const ModelFile model = read_model_table(root, place, study);
+  input.model = read_model_table(root, place, study);
+  const ModelFile& model = input.model;
   if (!place.names_up) record_up(root, model.up);
   if (!place.names_up && !is_study_file(study_or_model))
     study.assumptions.push_back(fmt::format("The model's {} axis points up. Set model.up where that is wrong.",
                                             model.up == UpAxis::kZ ? 'z' : 'y'));
   read_materials_table(root, model, study);
-  read_sky_table(root, study);
-  read_grids_table(root, place, study);
-  read_accuracy_table(root, study);
+  if (!options.model_only) {
+    read_sky_table(root, study);
+    read_grids_table(root, place, study);
+    read_accuracy_table(root, study);
+  }
 
   record_unit(root, model.unit);
   input.effective_json = to_json(root);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/model_file.h"
 #include "lighting/study.h"
 
 namespace clerestory::io {
@@ -17,6 +18,8 @@ struct ReadOptions {
   /// Overrides in the order given, each "table.key=value" with TOML's value syntax; a bare word stands for a string.
   /// Elements of arrays by number: "grids.0.spacing=0.5". Relative paths in them are relative to the study file.
   std::vector<std::string> set;
+  /// Reads what describes the model, [model] and [materials], and leaves out sky, grids and accuracy.
+  bool model_only = false;
 };
 
 /// A study as read, with what a record of the run needs.
@@ -24,6 +27,8 @@ struct StudyInput {
   lighting::Study study;
   /// The study with all defaults filled in, as a JSON object in the words of the study file.
   std::string effective_json;
+  /// The model's file as read, but for its polygons, which are study.model.
+  ModelFile model;
   /// Every file that was read: study, model, MTL, .pts.
   std::vector<std::filesystem::path> input_files;
 };

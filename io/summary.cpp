@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/summary.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 
-#include "io/rooms_json.h"
+#include "io/report_json.h"
 #include "io/stopwatch.h"
 
 namespace clerestory::io {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// What marks a summary.json as ours.
-constexpr const char* kProgram = "clerestory";
 
 double finite(double value, std::string_view name) {
   if (!std::isfinite(value)) throw std::logic_error("'" + std::string(name) + "' is not finite");
@@ -112,33 +105,10 @@ Json times(const lighting::Results& results, const RunFigures& figures) {
       {"cpu_seconds", cpu}, {"wall_seconds", wall}, {"threads", figures.threads}, {"peak_memory_mb", peak_memory_mb()}};
 }
 
-Json materials(const std::vector<lighting::Results::MaterialUse>& uses) {
-  Json list = Json::array();
-  for (const auto& use : uses) list.push_back({{"name", use.name}, {"became", use.became}, {"why", use.why}});
-  return list;
-}
-
-Json defects(const mesh::CleanReport& report) {
-  Json object = Json::object();
-  for (const mesh::Defect& defect : report.defects)
-    object[defect.kind] = {{"found", defect.found}, {"mended", defect.mended}};
-  return object;
-}
-
-/// Each sentence once, in the order of its first appearance.
-std::vector<std::string> without_repeats(std::vector<std::string> sentences) {
-  std::vector<std::string> kept;
-  for (std::string& sentence : sentences)
-    if (std::find(kept.begin(), kept.end(), sentence) == kept.end()) kept.push_back(std::move(sentence));
-  return kept;
-}
-
 Json study(const ResultContext& context) {
   if (context.effective_study.empty()) return nullptr;
   return Json::parse(context.effective_study);
 }
-
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 bool is_plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
@@ -156,14 +126,14 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["counts"] = counts(results.counts);
   json.update(times(results, figures));
   json["parts"] = results.surfaces.part_names;
-  json["materials"] = materials(results.materials);
-  json["rooms"] = Json::parse(rooms_json(results.rooms));
-  json["defects"] = defects(results.clean);
+  json["materials"] = materials_json(results.materials);
+  json["rooms"] = rooms_json(results.rooms);
+  json["defects"] = defects_json(results.clean);
   json["assumptions"] = without_repeats(results.assumptions);
   json["notices"] = without_repeats(results.notices);
   json["study"] = study(context);
   json["files"] = figures.files;
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string failure_json(const ResultContext& context, const std::string& why) {
@@ -171,7 +141,7 @@ std::string failure_json(const ResultContext& context, const std::string& why) {
   json["why"] = why;
   json["study"] = study(context);
   json["files"] = {"summary.json"};
-  return text_of(json);
+  return json_text(json);
 }
 
 std::optional<EarlierSummary> read_earlier_summary(const std::filesystem::path& file) {

@@ -310,6 +310,40 @@ void write_leaks_vtp(const std::filesystem::path& file, const lighting::Results&
   write_whole_file(file, vtp_bytes(data));
 }
 
+void write_defects_vtp(const std::filesystem::path& file, const mesh::CleanReport& report) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  std::vector<int> kind;
+  std::vector<unsigned char> mended;
+  std::vector<unsigned int> polygon;
+  std::vector<double> size;
+  std::vector<std::string> notes;
+  std::vector<std::string> kinds;
+  for (const mesh::Defect& defect : report.defects) {
+    for (const mesh::Defect::Place& place : defect.places) {
+      const vtkIdType id = points->InsertNextPoint(place.at.x, place.at.y, place.at.z);
+      cells->InsertNextCell(1, &id);
+      kind.push_back(static_cast<int>(kinds.size()));
+      mended.push_back(place.mended ? 1 : 0);
+      polygon.push_back(place.polygon);
+      size.push_back(place.size_m);
+      notes.push_back(place.note);
+    }
+    kinds.push_back(defect.kind);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetCellData()->AddArray(numbers<vtkIntArray>("kind", kind));
+  data->GetCellData()->AddArray(numbers<vtkUnsignedCharArray>("mended", mended));
+  data->GetCellData()->AddArray(numbers<vtkUnsignedIntArray>("polygon", polygon));
+  data->GetCellData()->AddArray(numbers<vtkDoubleArray>("size_m", size));
+  data->GetCellData()->AddArray(words("note", notes));
+  data->GetFieldData()->AddArray(words("kind_names", kinds));
+  write_whole_file(file, vtp_bytes(data));
+}
+
 bool has_leaks(const lighting::Results& results) {
   return std::ranges::any_of(results.rooms, [](const mesh::Room& room) { return !room.closed(); });
 }

@@ -40,6 +40,11 @@ void write_model_vtp(const std::filesystem::path& file, const mesh::Model& model
 /// Throws MachineError when the file cannot be written whole.
 void write_leaks_vtp(const std::filesystem::path& file, const lighting::Results& results, const ResultContext& context);
 
+/// Writes the places of defects as VTK XML points (.vtp), one a defect [m, model coordinates]. Cell data: `kind` (an index into the
+/// field array `kind_names`), `mended` (0 or 1), `polygon` (of the model as read, from 0), `size_m` (how bad), `note` in words.
+/// Throws MachineError when the file cannot be written whole.
+void write_defects_vtp(const std::filesystem::path& file, const mesh::CleanReport& report);
+
 /// Whether write_leaks_vtp() has anything to write.
 bool has_leaks(const lighting::Results& results);
 

@@ -20,11 +20,13 @@ namespace {
 
 struct Writer {
   std::string_view extension;
+  std::string_view beside;  ///< extension of a second file; empty: none
   std::vector<std::filesystem::path> (*write)(const std::filesystem::path& file, const WrittenModel& written);
 };
 
-constexpr std::array kWriters{Writer{".obj", &write_obj}, Writer{".ply", &write_ply}, Writer{".gltf", &write_gltf},
-                              Writer{".glb", &write_gltf}, Writer{".vtp", &write_vtp}};
+constexpr std::array kWriters{Writer{".obj", ".mtl", &write_obj}, Writer{".ply", "", &write_ply},
+                              Writer{".gltf", ".bin", &write_gltf}, Writer{".glb", "", &write_gltf},
+                              Writer{".vtp", "", &write_vtp}};
 
 const Writer& writer_of(const std::filesystem::path& file) {
   const std::string extension = lower(file.extension().string());
@@ -43,7 +45,11 @@ std::vector<std::filesystem::path> write_model(const std::filesystem::path& file
   return writer_of(file).write(file, written);
 }
 
-void require_writable_format(const std::filesystem::path& file) { writer_of(file); }
+std::vector<std::filesystem::path> model_files(const std::filesystem::path& file) {
+  const std::string_view beside = writer_of(file).beside;
+  if (beside.empty()) return {file};
+  return {file, std::filesystem::path(file).replace_extension(beside)};
+}
 
 std::vector<std::size_t> polygons_by_part(const mesh::Model& model) {
   std::vector<std::size_t> order(model.polygon_count());

@@ -27,8 +27,8 @@ struct WrittenModel {
 /// Throws InputError for any other extension and MachineError when a file cannot be written whole.
 std::vector<std::filesystem::path> write_model(const std::filesystem::path& file, const WrittenModel& written);
 
-/// Throws the InputError of write_model(), for a check before long work.
-void require_writable_format(const std::filesystem::path& file);
+/// The files that write_model() writes for a model, the model first. Throws its InputError, for a check before long work.
+std::vector<std::filesystem::path> model_files(const std::filesystem::path& file);
 
 /// The polygons by part, then by material, each in the model's order.
 std::vector<std::size_t> polygons_by_part(const mesh::Model& model);

@@ -108,17 +108,8 @@ void evaluate(const Study& study, const Solution& solution, GridResult& grid, st
   grid.metrics = grid_metrics(grid, study.accuracy.target);
 }
 
-std::vector<mesh::Room> rooms_in_model_coordinates(const Scene& scene) {
-  std::vector<mesh::Room> rooms = scene.rooms.rooms;
-  for (mesh::Room& room : rooms) {
-    room.box = {room.box.low + scene.faces.origin, room.box.high + scene.faces.origin};
-    for (mesh::RoomOpening& opening : room.openings) opening.at = opening.at + scene.faces.origin;
-  }
-  return rooms;
-}
-
 void conclude(const Study& study, const Scene& scene, Results& results) {
-  results.rooms = rooms_in_model_coordinates(scene);
+  results.rooms = rooms_in_model(scene);
   results.clean = scene.clean_report;
   results.materials = scene.materials;
   results.assumptions = scene.assumptions;
@@ -157,7 +148,7 @@ Results run(const Study& study, Progress& progress) {
   Results results;
   Clock clock(results.phases);
   clock.begin("cleaning the model", progress);
-  Scene scene = build_scene(study);
+  Scene scene = build_scene(study, &progress);
 
   clock.begin("placing sensors", progress);
   const AllSensors sensors = place_all(study, scene, results);

@@ -234,10 +234,14 @@ void say_what_lights(Scene& scene) {
 
 }  // namespace
 
-Scene build_scene(const Study& study) {
+Scene build_scene(const Study& study, Progress* progress) {
+  NoProgress unwatched;
+  Progress& watcher = progress != nullptr ? *progress : unwatched;
   Scene scene;
-  mesh::CleanSurface surface = mesh::clean(study.model, study.clean);
+  mesh::CleanSurface surface = mesh::clean(study.model, study.clean, &watcher);
   scene.clean_report = surface.report;
+  scene.notices = surface.report.notices;
+  watcher.phase("faces");
   scene.faces = mesh::build_faces(surface);
   scene.sky = study.sky;
   for (PointSource p : study.point_sources) {
@@ -249,12 +253,13 @@ Scene build_scene(const Study& study) {
   find_passable(study, scene);
   scene.rays = std::make_unique<mesh::Rays>(scene.faces, scene.passable);
   scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
+  watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
   fill_exitances(study, scene);
   find_reachable(scene);
   find_openings(scene);
   find_rooms(study, scene);
-  for (const Material& m : study.materials) scene.materials.push_back({m.name, m.became, m.why});
+  scene.materials = material_uses(study);
   for (const GlazingCurves& g : scene.glazings) {
     if (g.transmittance.back() > 0.918F) {
       scene.notices.push_back(
@@ -266,6 +271,21 @@ Scene build_scene(const Study& study) {
   scene.assumptions = study.assumptions;
   say_what_lights(scene);
   return scene;
+}
+
+std::vector<Results::MaterialUse> material_uses(const Study& study) {
+  std::vector<Results::MaterialUse> uses;
+  for (const Material& m : study.materials) uses.push_back({m.name, m.became, m.why});
+  return uses;
+}
+
+std::vector<mesh::Room> rooms_in_model(const Scene& scene) {
+  std::vector<mesh::Room> rooms = scene.rooms.rooms;
+  for (mesh::Room& room : rooms) {
+    room.box = {room.box.low + scene.faces.origin, room.box.high + scene.faces.origin};
+    for (mesh::RoomOpening& opening : room.openings) opening.at = opening.at + scene.faces.origin;
+  }
+  return rooms;
 }
 
 }  // namespace clerestory::lighting

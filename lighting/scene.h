@@ -12,6 +12,7 @@
 #include "lighting/results.h"
 #include "lighting/study.h"
 #include "mesh/faces.h"
+#include "mesh/progress.h"
 #include "mesh/rays.h"
 #include "mesh/rooms.h"
 #include "mesh/shafts.h"
@@ -73,6 +74,13 @@ struct Scene {
 
 /// Cleans the model of a study, builds its faces, and finds openings, reachable sides and the materials of every side.
 /// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area.
-Scene build_scene(const Study& study);
+/// @param progress  hears of the steps as phases; may be null
+Scene build_scene(const Study& study, Progress* progress = nullptr);
+
+/// What each material of a study became, and why.
+std::vector<Results::MaterialUse> material_uses(const Study& study);
+
+/// The rooms of a scene in model coordinates.
+std::vector<mesh::Room> rooms_in_model(const Scene& scene);
 
 }  // namespace clerestory::lighting

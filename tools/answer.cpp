@@ -20,11 +20,15 @@
 #include "tools/failure.h"
 #include "tools/interruption.h"
 #include "tools/report.h"
+#include "tools/standard_output.h"
 #include "tools/terminal_progress.h"
+#include "tools/with_file.h"
 
 namespace clerestory::tools {
 
 namespace {
+
+constexpr const char* kConsolation = "; the results are in their folder all the same";
 
 /// What a finished run gives to the terminal.
 struct Answer {
@@ -66,13 +70,12 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
   TerminalProgress progress(!options.quiet && stderr_is_terminal());
   try {
     Answer answer;
-    answer.results = lighting::run(study, progress);
+    answer.results = with_file(options.study, [&] { return lighting::run(study, progress); });
     end_orderly();  // until here there is nothing on the disk
     answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
     return answer;
-  } catch (const InputError& error) {
-    if (!error.file().empty()) throw;
-    throw InputError(options.study.string(), 0, error.problem(), error.hint());
+  } catch (const InputError&) {
+    throw;
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
@@ -84,11 +87,6 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
     }
     throw;
   }
-}
-
-void print(const std::string& text) {
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!whole) throw MachineError("standard output: cannot be written; the results are in their folder all the same");
 }
 
 }  // namespace
@@ -105,9 +103,9 @@ int answer(lighting::Study::Kind kind, const Options& options) {
 
   const Answer answer = run_and_write(input.study, context, std::move(figures), options);
   if (options.json) {
-    print(answer.summary);
+    print(answer.summary, kConsolation);
   } else if (!options.quiet) {
-    print(report(answer.results, context, options.out));
+    print(report(answer.results, context, options.out), kConsolation);
   }
   if (answer.results.accuracy_met) return kDone;
   fmt::print(stderr,

@@ -3,12 +3,14 @@
 #include <exception>
 #include <span>
 
-#include "mesh/error.h"
+#include "tools/clean.h"
 #include "tools/daylight.h"
 #include "tools/failure.h"
 #include "tools/illuminance.h"
+#include "tools/inspect.h"
 #include "tools/interruption.h"
 #include "tools/options.h"
+#include "tools/standard_output.h"
 
 namespace clerestory::tools {
 
@@ -20,11 +22,14 @@ int run(const Request& request) {
       return daylight(request.options);
     case Request::What::kIlluminance:
       return illuminance(request.options);
+    case Request::What::kInspect:
+      return inspect(request.options);
+    case Request::What::kClean:
+      return clean(request.options);
     case Request::What::kText:
       break;
   }
-  if (std::fputs(request.text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw MachineError("standard output: cannot be written");
+  print(request.text);
   return kDone;
 }
 

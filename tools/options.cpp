@@ -19,15 +19,30 @@ namespace {
 constexpr int kMostThreads = 1024;
 constexpr double kCoarsestAccuracy = 0.5;  // as the study file has it
 
-const std::vector<std::string> kCommands = {"daylight", "illuminance"};
-
 constexpr const char* kMainFooter = R"(Examples:
+  clerestory inspect office.ifc                       parts, materials, rooms and defects of a model
+  clerestory clean office.ifc -o office.obj           the mended model
   clerestory daylight office.obj                      daylight factors of a model, every setting at its default
   clerestory daylight office.toml -o results          of a study, results in the folder results/
   clerestory illuminance office.toml --accuracy 5%    illuminance under the study's sky and lamps, quickly
 
 Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault, 3 the machine failed (memory, disk),
 4 the accuracy was not reached (results are written, and marked so), 130 interrupted.
+)";
+
+constexpr const char* kInspectFooter = R"(Examples:
+  clerestory inspect office.obj                       what is in a model, what its materials became, what was mended
+  clerestory inspect office.toml                      the model of a study, with the study's materials
+  clerestory inspect office.obj --units mm --up y     where the file does not say it and the guess is wrong
+  clerestory inspect office.obj --strict --quiet      for a script: status 1 where something cannot be mended
+  clerestory inspect office.obj --json                the report for a program
+)";
+
+constexpr const char* kCleanFooter = R"(Examples:
+  clerestory clean office.ifc -o clean.obj            beside it clean.mtl, clean.obj.report.txt, .report.json, .defects.vtp
+  clerestory clean scan.ply -o clean.glb --gap 0.005  gaps of up to 5 mm are closed
+  clerestory clean office.obj -o copy.vtp --repair off
+                                                      another format, mended in nothing
 )";
 
 constexpr const char* kDaylightFooter = R"(Examples:
@@ -44,6 +59,30 @@ constexpr const char* kIlluminanceFooter = R"(Examples:
   clerestory illuminance office.toml --threads 1 --accuracy 1%
 )";
 
+/// A subcommand, in the order of the help.
+struct Command {
+  Request::What what;
+  const char* name;
+  const char* meaning;
+  const char* footer;
+  const char* example;  ///< of its arguments
+};
+
+constexpr std::array kCommands{
+    Command{Request::What::kInspect, "inspect", "What is in a model: parts, materials, rooms, defects", kInspectFooter,
+            "inspect office.obj"},
+    Command{Request::What::kClean, "clean", "Writes the mended model", kCleanFooter, "clean office.ifc -o clean.obj"},
+    Command{Request::What::kDaylight, "daylight", "Daylight factors under the CIE overcast sky", kDaylightFooter,
+            "daylight office.toml"},
+    Command{Request::What::kIlluminance, "illuminance", "Illuminance under the study's sky and lamps",
+            kIlluminanceFooter, "illuminance office.toml"}};
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : kCommands) names.emplace_back(command.name);
+  return names;
+}
+
 /// What CLI11 fills in.
 struct Raw {
   std::string study;
@@ -51,17 +90,19 @@ struct Raw {
   std::string accuracy;
   std::vector<std::string> set;
   int threads = 0;
+  std::string units;
+  std::string up;
+  std::string gap;
+  std::string repair;
   bool quiet = false;
   bool json = false;
+  bool strict = false;
 };
 
 void add_common_options(CLI::App& app, Raw& raw) {
   // Not required as CLI11 means it: an unknown option is the more telling complaint.
-  app.add_option("study", raw.study, "Study file (.toml) or model file (.obj)")->type_name("STUDY|MODEL");
-  app.add_option("-o,--out", raw.out, "Folder of the results (default: STUDY-results beside the study)")
-      ->type_name("DIR");
-  app.add_option("--accuracy", raw.accuracy, "Accuracy to reach, as 2% or 0.02 (default: the study's, or 2 %)")
-      ->type_name("SHARE");
+  app.add_option("study", raw.study, "Study file (.toml), or model file with every key at its default")
+      ->type_name("STUDY|MODEL");
   app.add_option("--threads", raw.threads, "Number of threads (default: every core)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""));
@@ -69,8 +110,52 @@ void add_common_options(CLI::App& app, Raw& raw) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--quiet", raw.quiet, "Neither progress nor report");
-  app.add_flag("--json", raw.json, "The summary as JSON on stdout, instead of the report");
+  app.set_version_flag("--version", std::string("clerestory ") + kVersion, "The version");
   app.allow_extras();
+}
+
+void add_run_options(CLI::App& app, Raw& raw) {
+  app.add_option("-o,--out", raw.out, "Folder of the results (default: STUDY-results beside the study)")
+      ->type_name("DIR");
+  app.add_option("--accuracy", raw.accuracy, "Accuracy to reach, as 2% or 0.02 (default: the study's, or 2 %)")
+      ->type_name("SHARE");
+  app.add_flag("--json", raw.json, "The summary as JSON on stdout, instead of the report");
+}
+
+void add_model_options(CLI::App& app, Raw& raw) {
+  app.add_option("--units", raw.units,
+                 "Unit of length of the model: m, cm, mm, in, ft (default: as it says, or guessed)")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"m", "cm", "mm", "in", "ft"}).description(""));
+  app.add_option("--up", raw.up, "Axis of the model that points up: z, y (default: as its format has it)")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"z", "y"}).description(""));
+  app.add_option("--gap", raw.gap,
+                 "Gaps of up to this width [m] are closed (default: the precision of the coordinates)")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.0, 0.1).description(""));
+  app.add_option("--repair", raw.repair, "Defects are mended (auto), only reported (report), or not looked for (off)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"auto", "report", "off"}).description(""));
+  app.add_flag("--json", raw.json, "The report as JSON on stdout");
+}
+
+void add_command(CLI::App& app, const Command& command, Raw& raw) {
+  CLI::App& own = *app.add_subcommand(command.name, command.meaning);
+  own.footer(command.footer);
+  add_common_options(own, raw);
+  switch (command.what) {
+    case Request::What::kInspect:
+      add_model_options(own, raw);
+      own.add_flag("--strict", raw.strict, "Status 1 where something cannot be mended");
+      break;
+    case Request::What::kClean:
+      own.add_option("-o,--out", raw.out, "The model to write: .obj, .ply, .gltf, .glb or .vtp")->type_name("FILE");
+      add_model_options(own, raw);
+      break;
+    default:
+      add_run_options(own, raw);
+  }
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -104,10 +189,11 @@ void expect_a_known_command(std::span<const char* const> words) {
   for (const char* const word : words.subspan(std::min<std::size_t>(1, words.size()))) {
     const std::string_view text = word;
     if (text == "--help" || text == "-h" || text == "--version") return;
-    if (std::find(kCommands.begin(), kCommands.end(), text) != kCommands.end()) return;
+    const std::vector<std::string> known = command_names();
+    if (std::find(known.begin(), known.end(), text) != known.end()) return;
     const bool option = text.starts_with('-');
-    const std::string near = suggestion(text, option ? std::vector<std::string>{"--help", "--version"} : kCommands);
-    const std::string all = option ? "clerestory --help lists them" : "the commands are " + io::list_names(kCommands);
+    const std::string near = suggestion(text, option ? std::vector<std::string>{"--help", "--version"} : known);
+    const std::string all = option ? "clerestory --help lists them" : "the commands are " + io::list_names(known);
     const std::string hint = near.empty() ? all : near;
     throw CommandLineError(fmt::format("unknown {} {}; {}", option ? "option" : "command", io::in_quotes(text), hint));
   }
@@ -135,19 +221,33 @@ std::filesystem::path default_out(const std::filesystem::path& study) {
   return study.parent_path() / (study.stem().string() + "-results");
 }
 
-Options options_of(const Raw& raw, std::span<const char* const> words) {
-  if (raw.study.empty()) throw CommandLineError("no study or model given; as in: clerestory daylight office.toml");
+/// The command line's own words for keys of the study, behind the user's --set.
+std::vector<std::string> settings_of(const Raw& raw) {
+  std::vector<std::string> set = raw.set;
+  if (!raw.accuracy.empty()) set.push_back(fmt::format("accuracy.target={}", parse_accuracy(raw.accuracy)));
+  if (!raw.units.empty()) set.push_back(fmt::format("model.units={}", raw.units));
+  if (!raw.up.empty()) set.push_back(fmt::format("model.up={}", raw.up));
+  if (!raw.gap.empty()) set.push_back(fmt::format("model.gap={}", raw.gap));
+  if (!raw.repair.empty()) set.push_back(fmt::format("model.repair={}", raw.repair));
+  return set;
+}
+
+Options options_of(const Command& command, const Raw& raw, std::span<const char* const> words) {
+  if (raw.study.empty())
+    throw CommandLineError(fmt::format("no study or model given; as in: clerestory {}", command.example));
+  if (command.what == Request::What::kClean && raw.out.empty())
+    throw CommandLineError(fmt::format("no file to write given; as in: clerestory {}", command.example));
   for (const std::string& assignment : raw.set)
     if (assignment.find('=') == std::string::npos || assignment.front() == '=')
       throw CommandLineError(fmt::format("--set {} has no value; write --set key=value", io::in_quotes(assignment)));
   Options options;
   options.study = raw.study;
   options.out = raw.out.empty() ? default_out(raw.study) : std::filesystem::path(raw.out);
-  options.set = raw.set;
-  if (!raw.accuracy.empty()) options.set.push_back(fmt::format("accuracy.target={}", parse_accuracy(raw.accuracy)));
+  options.set = settings_of(raw);
   options.threads = raw.threads;
   options.quiet = raw.quiet;
   options.json = raw.json;
+  options.strict = raw.strict;
   options.command = command_text(words);
   return options;
 }
@@ -166,28 +266,25 @@ Request read_command_line(std::span<const char* const> words) {
   app.set_help_flag("-h,--help", "This text");
   app.set_version_flag("--version", std::string("clerestory ") + kVersion, "The version");
   Raw raw;
-  CLI::App* const daylight = app.add_subcommand("daylight", "Daylight factors under the CIE overcast sky");
-  daylight->footer(kDaylightFooter);
-  CLI::App* const illuminance = app.add_subcommand("illuminance", "Illuminance under the study's sky and lamps");
-  illuminance->footer(kIlluminanceFooter);
-  for (CLI::App* command : {daylight, illuminance}) {
-    add_common_options(*command, raw);
-    command->set_version_flag("--version", std::string("clerestory ") + kVersion, "The version");
-  }
+  for (const Command& command : kCommands) add_command(app, command, raw);
+  const auto chosen = [&app]() -> const CLI::App* {
+    const auto parsed = app.get_subcommands();
+    return parsed.empty() ? nullptr : parsed.front();
+  };
   try {
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* asked = daylight->parsed() ? daylight : illuminance->parsed() ? illuminance : &app;
-    return {Request::What::kText, asked->help(asked == &app ? "" : "clerestory"), {}};
+    const CLI::App* asked = chosen();
+    return {Request::What::kText, asked == nullptr ? app.help() : asked->help("clerestory"), {}};
   } catch (const CLI::CallForVersion& version) {
     return {Request::What::kText, std::string(version.what()) + "\n", {}};
   } catch (const CLI::ParseError& error) {
     throw CommandLineError(one_line(error.what()) + "; --help explains the options");
   }
-  const CLI::App* command = daylight->parsed() ? daylight : illuminance;
-  expect_nothing_left(*command, command->remaining());
-  const auto what = command == daylight ? Request::What::kDaylight : Request::What::kIlluminance;
-  return {what, {}, options_of(raw, words)};
+  expect_nothing_left(*chosen(), chosen()->remaining());
+  const Command& command = *std::find_if(kCommands.begin(), kCommands.end(),
+                                         [&](const Command& c) { return chosen()->get_name() == c.name; });
+  return {command.what, {}, options_of(command, raw, words)};
 }
 
 double parse_accuracy(const std::string& text) {

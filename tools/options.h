@@ -15,20 +15,22 @@ class CommandLineError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the subcommands have in common.
+/// What the subcommands are asked for.
 struct Options {
-  std::filesystem::path study;   ///< or a model
-  std::filesystem::path out;     ///< the folder of the results
-  std::vector<std::string> set;  ///< "key=value", in the order given, `--accuracy` last as "accuracy.target=..."
-  int threads = 0;               ///< 0: every core
+  std::filesystem::path study;  ///< or a model
+  std::filesystem::path out;    ///< the folder of the results; of clean, the model to write
+  std::vector<std::string>
+      set;          ///< "key=value", in the order given; last what has an option of its own: "accuracy.target=..."
+  int threads = 0;  ///< 0: every core
   bool quiet = false;
   bool json = false;
+  bool strict = false;  ///< of inspect: what cannot be mended is an error
   std::string command;  ///< the whole command line, words quoted where a shell needs it
 };
 
 /// What the command line asks for: a subcommand, or a text to be printed.
 struct Request {
-  enum class What { kText, kDaylight, kIlluminance };
+  enum class What { kText, kInspect, kClean, kDaylight, kIlluminance };
 
   What what = What::kText;
   std::string text;  ///< of --help and --version

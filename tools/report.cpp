@@ -3,53 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "io/stopwatch.h"
+#include "io/text_table.h"
 
 namespace clerestory::tools {
 
 namespace {
 
-using Row = std::vector<std::string>;
-
-/// Three significant digits, without an exponent where people would not write one.
-std::string figure(double value) {
-  const double size = std::abs(value);
-  if (size == 0.0) return "0";
-  if (size >= 99.95) return fmt::format("{:.0f}", value);
-  if (size >= 9.995) return fmt::format("{:.1f}", value);
-  if (size >= 0.01) return fmt::format("{:.2f}", value);
-  return fmt::format("{:.2g}", value);
-}
+using io::figure;
 
 std::string percent(double share) { return figure(100.0 * share) + " %"; }
 
-std::size_t width_of(const std::string& text) {  // in characters, of UTF-8
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// Columns two blanks apart, the first to the left, the others to the right.
-std::string table(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string blanks(widths[c] - width_of(row[c]), ' ');
-      text += c == 0 ? row[c] + blanks : "  " + blanks + row[c];
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 std::string daylight_table(const std::vector<lighting::GridResult>& grids) {
-  std::vector<Row> rows = {
+  std::vector<io::TextRow> rows = {
       {"grid", "sensors", "mean", "median", "minimum", "uniformity", "above 2 %", "above 5 %", "mean lux", "accuracy"}};
   for (const auto& grid : grids) {
     const lighting::GridMetrics& m = grid.metrics;
@@ -58,18 +28,19 @@ std::string daylight_table(const std::vector<lighting::GridResult>& grids) {
                     fmt::format("{:.2f}", m.uniformity), percent(m.share_above_2_percent),
                     percent(m.share_above_5_percent), figure(m.mean_lux), percent(m.accuracy_reached)});
   }
-  return table(rows);
+  return io::text_table(rows);
 }
 
 std::string illuminance_table(const std::vector<lighting::GridResult>& grids) {
-  std::vector<Row> rows = {{"grid", "sensors", "mean", "median", "minimum", "maximum", "uniformity", "accuracy"}};
+  std::vector<io::TextRow> rows = {
+      {"grid", "sensors", "mean", "median", "minimum", "maximum", "uniformity", "accuracy"}};
   for (const auto& grid : grids) {
     const lighting::GridMetrics& m = grid.metrics;
     rows.push_back({grid.name, std::to_string(grid.sensors.count()), figure(m.mean_lux) + " lx",
                     figure(m.median_lux) + " lx", figure(m.minimum_lux) + " lx", figure(m.maximum_lux) + " lx",
                     fmt::format("{:.2f}", m.uniformity), percent(m.accuracy_reached)});
   }
-  return table(rows);
+  return io::text_table(rows);
 }
 
 std::string heading(const io::ResultContext& context) {

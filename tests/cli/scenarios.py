@@ -96,6 +96,27 @@ def full_disk_keeps_older_results(command):
     expect(after == {f"previous/{name}": data for name, data in older.items()}, f"there are {sorted(after)}")
 
 
+def clean_on_a_full_disk_leaves_what_was_there(command):
+    command.run("clean", "room.obj", "-o", "clean.obj", "--quiet")
+    before = command.contents()
+    err = command.run("clean", "room.obj", "-o", "clean.obj", "--gap", "0.001", status=3, lines=1,
+                      prepare=limit_file_size(1000))
+    expect("-o" in err and "writing" not in err, f"no remedy: {err}")
+    expect(command.contents() == before, "something has changed")
+
+
+def clean_replaces_its_own_files_alone(command):
+    command.run("clean", "room.obj", "-o", "clean.obj", "--quiet")
+    first = command.contents()
+    command.run("clean", "room.obj", "-o", "clean.obj", "--quiet")
+    expect(command.contents() == first, "the same model is not the same")
+    (command.scratch / "other.mtl").write_text("mine")
+    before = command.contents()
+    err = command.run("clean", "room.obj", "-o", "other.obj", status=1, lines=1)
+    expect("other.mtl" in err and "-o" in err, f"no remedy: {err}")
+    expect(command.contents() == before, "something has changed")
+
+
 def interruption_leaves_the_folder_as_it_was(command):
     command.run("daylight", "room.toml", "--quiet")
     before = command.contents()
@@ -121,9 +142,9 @@ def same_bytes_for_one_and_two_threads(command):
 
 
 SCENARIOS = {f.__name__: f for f in (
-    current_folder_keeps_other_files, file_of_the_user_is_not_overwritten, full_disk_keeps_older_results,
-    full_disk_writes_nothing, interruption_leaves_the_folder_as_it_was, same_bytes_for_one_and_two_threads,
-    second_run_replaces_the_first)}
+    clean_on_a_full_disk_leaves_what_was_there, clean_replaces_its_own_files_alone, current_folder_keeps_other_files,
+    file_of_the_user_is_not_overwritten, full_disk_keeps_older_results, full_disk_writes_nothing,
+    interruption_leaves_the_folder_as_it_was, same_bytes_for_one_and_two_threads, second_run_replaces_the_first)}
 
 
 def main():

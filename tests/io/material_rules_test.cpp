@@ -55,6 +55,17 @@ TEST(MaterialRules, KdBecomesTheReflectanceOfBothSides) {
                                 "a gamma to take off: material brick."));
 }
 
+TEST(MaterialRules, AGammaThatWasTakenOffIsTold) {
+  MaterialAssumptions assumed;
+  SourceMaterial red = mtl("brick");
+  red.told_by = "the surface colour of the IFC";
+  red.diffuse = {0.6, 0.3, 0.2};
+  red.gamma_removed = true;
+  lighting::Material material;
+  assumed.decide(red, material);
+  EXPECT_THAT(assumed.sentences(), ElementsAre(HasSubstr("after its gamma (sRGB) was taken off: material brick.")));
+}
+
 TEST(MaterialRules, KdOverWhatIsPossibleIsClampedAndTold) {
   MaterialAssumptions assumed;
   SourceMaterial white = mtl("white");

@@ -32,6 +32,7 @@ inline io::ModelFile sample_model_file() {
   concrete.textured = true;
   io::SourceMaterial glass;
   glass.name = "glass";
+  glass.gamma_removed = true;
   glass.opacity = 0.25;
   glass.transmittance_normal = 0.6;
   glass.translucent = 0.1;
@@ -48,6 +49,7 @@ inline io::ModelFile sample_model_file() {
   file.spaces = {room};
   file.site.latitude_deg = 48.1;
   file.unit = io::LengthUnit::kFoot;
+  file.unit_source = "as the IFC says";
   file.up = io::UpAxis::kY;
   file.notices = {"The unit of length is ft."};
   file.files = {"house.ifc", "wall \xc3\xa4.bin"};

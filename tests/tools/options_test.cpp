@@ -41,6 +41,22 @@ TEST(Options, AreReadForBothCommands) {
   EXPECT_TRUE(request.options.quiet && request.options.json);
 }
 
+TEST(Options, WhatTheModelIsBecomesKeysOfTheStudy) {
+  const Request request = read({"inspect", "a.obj", "--units", "mm", "--up", "y", "--gap", "0.01", "--repair", "report",
+                                "--set", "model.units=m", "--strict"});
+  EXPECT_EQ(request.what, Request::What::kInspect);
+  EXPECT_TRUE(request.options.strict);
+  EXPECT_THAT(request.options.set,
+              ElementsAre("model.units=m", "model.units=mm", "model.up=y", "model.gap=0.01", "model.repair=report"));
+  EXPECT_THAT(complaint({"inspect", "a.obj", "--gap", "2"}), HasSubstr("--gap"));
+  EXPECT_THAT(complaint({"inspect", "a.obj", "--up", "x"}), HasSubstr("--up"));
+}
+
+TEST(Options, CleanNeedsAFileToWrite) {
+  EXPECT_THAT(complaint({"clean", "a.obj"}), HasSubstr("no file to write given"));
+  EXPECT_EQ(read({"clean", "a.obj", "-o", "b.ply"}).options.out, "b.ply");
+}
+
 TEST(Options, OverridesKeepTheirOrderAndTheAccuracyIsTheLast) {
   const auto set = read({"daylight", "--accuracy", "5%", "--set", "a=1", "a.toml", "--set=b.c=[1, 2]"}).options.set;
   EXPECT_THAT(set, ElementsAre("a=1", "b.c=[1, 2]", "accuracy.target=0.05"));

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/rooms_json.h"
+#include "io/report_json.h"
 
 #include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 namespace clerestory::io {
 namespace {
@@ -30,7 +28,7 @@ std::vector<mesh::Room> hall_and_store() {
 }
 
 TEST(RoomsJson, SaysWhatIsKnownOfEachRoom) {
-  const auto json = nlohmann::json::parse(rooms_json(hall_and_store()));
+  const auto json = rooms_json(hall_and_store());
   ASSERT_EQ(json.size(), 2U);
   EXPECT_EQ(json[0]["name"], "Hall");
   EXPECT_EQ(json[0]["floor_area_m2"], 48.0) << "digits that mean nothing are left out";
@@ -41,7 +39,7 @@ TEST(RoomsJson, SaysWhatIsKnownOfEachRoom) {
 }
 
 TEST(RoomsJson, OpeningsNameWhereTheyLead) {
-  const auto json = nlohmann::json::parse(rooms_json(hall_and_store()));
+  const auto json = rooms_json(hall_and_store());
   const auto& openings = json[1]["openings"];
   ASSERT_EQ(openings.size(), 3U);
   EXPECT_EQ(openings[0]["kind"], "hole");
@@ -49,15 +47,15 @@ TEST(RoomsJson, OpeningsNameWhereTheyLead) {
   EXPECT_EQ(openings[0]["area_m2"], 1.89);
   EXPECT_EQ(openings[1]["kind"], "air");
   EXPECT_EQ(openings[1]["to"], "outside");
-  EXPECT_EQ(openings[2]["at"], nlohmann::json({7.0, 0.0, 2.0}));
+  EXPECT_EQ(openings[2]["at"], Json({7.0, 0.0, 2.0}));
   EXPECT_EQ(json[0]["openings"][0]["kind"], "glazing");
 }
 
 TEST(RoomsJson, AHoleToTheOutsideAndNothingElseMakesARoomOpen) {
-  const auto json = nlohmann::json::parse(rooms_json(hall_and_store()));
+  const auto json = rooms_json(hall_and_store());
   EXPECT_EQ(json[0]["closed"], true) << "an open door to another room";
   EXPECT_EQ(json[1]["closed"], false);
-  EXPECT_EQ(rooms_json({}), "[]");
+  EXPECT_EQ(rooms_json({}), Json::array());
 }
 
 }  // namespace

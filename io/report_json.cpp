@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/rooms_json.h"
+#include "io/report_json.h"
 
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace clerestory::io {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// To a tenth of a millimetre, or of a square decimetre: more is noise.
-double rounded(double value) {
-  constexpr double kSteps = 1e4;
-  return std::round(value * kSteps) / kSteps;
-}
 
 const char* word(mesh::RoomOpening::Kind kind) {
   switch (kind) {
@@ -30,7 +22,13 @@ const char* word(mesh::RoomOpening::Kind kind) {
 
 }  // namespace
 
-std::string rooms_json(const std::vector<mesh::Room>& rooms) {
+Json materials_json(const std::vector<lighting::Results::MaterialUse>& uses) {
+  Json list = Json::array();
+  for (const auto& use : uses) list.push_back({{"name", use.name}, {"became", use.became}, {"why", use.why}});
+  return list;
+}
+
+Json rooms_json(const std::vector<mesh::Room>& rooms) {
   Json list = Json::array();
   for (const mesh::Room& room : rooms) {
     Json openings = Json::array();
@@ -47,7 +45,28 @@ std::string rooms_json(const std::vector<mesh::Room>& rooms) {
                     {"source", room.stated ? "file" : "geometry"},
                     {"openings", std::move(openings)}});
   }
-  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return list;
 }
+
+Json defects_json(const mesh::CleanReport& report) {
+  Json object = Json::object();
+  for (const mesh::Defect& defect : report.defects)
+    object[defect.kind] = {{"found", defect.found}, {"mended", defect.mended}};
+  return object;
+}
+
+double rounded(double value) {
+  constexpr double kSteps = 1e4;
+  return std::round(value * kSteps) / kSteps;
+}
+
+std::vector<std::string> without_repeats(std::vector<std::string> sentences) {
+  std::vector<std::string> kept;
+  for (std::string& sentence : sentences)
+    if (std::find(kept.begin(), kept.end(), sentence) == kept.end()) kept.push_back(std::move(sentence));
+  return kept;
+}
+
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace clerestory::io

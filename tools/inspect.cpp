@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/inspect.h"
+
+#include <cstdio>
+
+#include "clerestory_version.h"
+#include "io/defect_advice.h"
+#include "io/model_report.h"
+#include "io/study_file.h"
+#include "lighting/run.h"
+#include "tools/exit_status.h"
+#include "tools/standard_output.h"
+#include "tools/terminal_progress.h"
+#include "tools/with_file.h"
+
+namespace clerestory::tools {
+
+int inspect(const Options& options) {
+  lighting::set_threads(options.threads);
+  const io::StudyInput input = io::read_study(options.study, {.set = options.set, .model_only = true});
+  TerminalProgress progress(!options.quiet && stderr_is_terminal());
+  const io::ModelReport report =
+      with_file(options.study, [&] { return io::look_at(input, options.study.string(), kVersion, progress); });
+  progress.clear();
+  if (options.json) {
+    print(io::report_json_text(report));
+  } else if (!options.quiet) {
+    print(io::report_text(report));
+  }
+  if (!options.strict || !io::has_unmended(report.clean)) return kDone;
+  std::fputs("error: the model has defects that are not mended; the report names them and what to do\n", stderr);
+  return kInputAtFault;
+}
+
+}  // namespace clerestory::tools
