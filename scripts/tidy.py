@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = ["mesh", "lighting", "io", "tools", "tests/support"]
-HEAVY = re.compile(r'#\s*include\s*<(CGAL/|vtk|toml|nlohmann/|CLI/)')
+HEAVY = re.compile(r'#\s*include\s*<(CGAL/|assimp/|ifcpp/|vtk|toml|nlohmann/|CLI/)')
 
 
 def light_files(suffix):
