@@ -126,7 +126,7 @@ class ContactSearch {
 }  // namespace
 
 PlanarRegion region_of(const FaceDrafts& drafts, const FaceDraft& face) {
-  std::vector<Segment> edges;
+  std::vector<Ends> edges;
   edges.reserve(face.boundary.size());
   for (const auto& [a, b] : face.boundary) edges.push_back({drafts.vertices[a], drafts.vertices[b]});
   return {face.plane, std::move(edges)};

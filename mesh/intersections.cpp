@@ -157,21 +157,21 @@ class Cutting {
     const PlanarRegion& of_f = *involved_[f].region;
     const PlanarRegion& of_g = *involved_[g].region;
     if (pair.kind == Kind::kCrossing) {
-      for (const Segment& line : crossing_stretches(of_f, of_g, drafts_.tolerance)) {
+      for (const Ends& line : crossing_stretches(of_f, of_g, drafts_.tolerance)) {
         add_line(f, line);
         add_line(g, line);
       }
       return;
     }
-    for (const Segment& edge : of_g.edges) {
-      for (const Segment& line : stretches_inside(of_f, edge, drafts_.tolerance)) add_line(f, line);
+    for (const Ends& edge : of_g.edges) {
+      for (const Ends& line : stretches_inside(of_f, edge, drafts_.tolerance)) add_line(f, line);
     }
-    for (const Segment& edge : of_f.edges) {
-      for (const Segment& line : stretches_inside(of_g, edge, drafts_.tolerance)) add_line(g, line);
+    for (const Ends& edge : of_f.edges) {
+      for (const Ends& line : stretches_inside(of_g, edge, drafts_.tolerance)) add_line(g, line);
     }
   }
 
-  void add_line(std::uint32_t face, const Segment& line) {
+  void add_line(std::uint32_t face, const Ends& line) {
     const std::uint32_t from = drafts_.vertices.add(line[0]);
     const std::uint32_t to = drafts_.vertices.add(line[1]);
     if (from != to) drafts_.faces[face].lines.push_back(edge_between(from, to));

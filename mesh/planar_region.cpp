@@ -13,24 +13,24 @@ namespace {
 /// Planes at a smaller angle than this have no line of intersection worth the name [rad].
 constexpr double kParallelSine = 1e-6;
 
-Point between(const Segment& s, double t) { return s[0] + t * (s[1] - s[0]); }
+Point between(const Ends& s, double t) { return s[0] + t * (s[1] - s[0]); }
 
-std::vector<PlanarOutline::Segment> flattened(const PlaneCoordinates& plane, std::span<const Segment> edges) {
+std::vector<PlanarOutline::Segment> flattened(const PlaneCoordinates& plane, std::span<const Ends> edges) {
   std::vector<PlanarOutline::Segment> segments;
   segments.reserve(edges.size());
-  for (const Segment& edge : edges) segments.push_back({plane.project(edge[0]), plane.project(edge[1])});
+  for (const Ends& edge : edges) segments.push_back({plane.project(edge[0]), plane.project(edge[1])});
   return segments;
 }
 
 /// The stretch of the line of the two planes that lies within the convex hull of g.
-std::optional<Segment> common_line(const PlanarRegion& f, const PlanarRegion& g, double tolerance) {
+std::optional<Ends> common_line(const PlanarRegion& f, const PlanarRegion& g, double tolerance) {
   Vector direction = cross(f.plane.frame.w, g.plane.frame.w);
   if (norm(direction) < kParallelSine) return std::nullopt;
   direction = normalized(direction);
-  Segment ends;
+  Ends ends;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const Segment& edge : g.edges) {
+  for (const Ends& edge : g.edges) {
     const double da = f.plane.distance(edge[0]);
     const double db = f.plane.distance(edge[1]);
     if ((da > 0.0) == (db > 0.0)) continue;
@@ -45,26 +45,26 @@ std::optional<Segment> common_line(const PlanarRegion& f, const PlanarRegion& g,
   return ends;
 }
 
-std::vector<Stretch> inner_stretches(const PlanarRegion& region, const Segment& segment, double tolerance) {
+std::vector<Stretch> inner_stretches(const PlanarRegion& region, const Ends& segment, double tolerance) {
   return region.outline.inner_stretches(region.plane.project(segment[0]), region.plane.project(segment[1]), tolerance);
 }
 
 }  // namespace
 
-PlanarRegion::PlanarRegion(const PlaneCoordinates& in_plane, std::vector<Segment> boundary)
+PlanarRegion::PlanarRegion(const PlaneCoordinates& in_plane, std::vector<Ends> boundary)
     : plane(in_plane), edges(std::move(boundary)), outline(flattened(plane, edges)) {}
 
-std::vector<Segment> stretches_inside(const PlanarRegion& region, const Segment& segment, double tolerance) {
-  std::vector<Segment> inside;
+std::vector<Ends> stretches_inside(const PlanarRegion& region, const Ends& segment, double tolerance) {
+  std::vector<Ends> inside;
   for (const Stretch& s : inner_stretches(region, segment, tolerance)) {
     inside.push_back({between(segment, s.begin), between(segment, s.end)});
   }
   return inside;
 }
 
-std::vector<Segment> crossing_stretches(const PlanarRegion& f, const PlanarRegion& g, double tolerance) {
-  std::vector<Segment> stretches;
-  const std::optional<Segment> line = common_line(f, g, tolerance);
+std::vector<Ends> crossing_stretches(const PlanarRegion& f, const PlanarRegion& g, double tolerance) {
+  std::vector<Ends> stretches;
+  const std::optional<Ends> line = common_line(f, g, tolerance);
   if (!line) return stretches;
   const double length = norm((*line)[1] - (*line)[0]);
   const std::vector<Stretch> in_g = inner_stretches(g, *line, tolerance);

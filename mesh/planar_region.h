@@ -10,22 +10,22 @@
 // Private to mesh/.
 namespace clerestory::mesh {
 
-/// From one point to another [m].
-using Segment = std::array<Point, 2>;
+/// The ends of a segment in space [m].
+using Ends = std::array<Point, 2>;
 
 /// A part of a plane in space, within closed, directed boundaries.
 struct PlanarRegion {
   PlaneCoordinates plane;
-  std::vector<Segment> edges;
+  std::vector<Ends> edges;
   PlanarOutline outline;  ///< of the edges, in the plane
 
-  PlanarRegion(const PlaneCoordinates& in_plane, std::vector<Segment> boundary);
+  PlanarRegion(const PlaneCoordinates& in_plane, std::vector<Ends> boundary);
 };
 
 /// The stretches of a segment in the region's plane that lie inside it, longer than the tolerance and not along its boundary [m].
-std::vector<Segment> stretches_inside(const PlanarRegion& region, const Segment& segment, double tolerance);
+std::vector<Ends> stretches_inside(const PlanarRegion& region, const Ends& segment, double tolerance);
 
 /// The stretches along which two regions cross: of the line in which their planes meet, inside both, longer than the tolerance [m].
-std::vector<Segment> crossing_stretches(const PlanarRegion& f, const PlanarRegion& g, double tolerance);
+std::vector<Ends> crossing_stretches(const PlanarRegion& f, const PlanarRegion& g, double tolerance);
 
 }  // namespace clerestory::mesh

@@ -29,11 +29,11 @@ struct Range {
   [[nodiscard]] double reach() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
-double length(const Segment& s) { return norm(s[1] - s[0]); }
+double length(const Ends& s) { return norm(s[1] - s[0]); }
 
-Segment longest_of(const std::vector<Segment>& segments) {
+Ends longest_of(const std::vector<Ends>& segments) {
   return *std::max_element(segments.begin(), segments.end(),
-                           [](const Segment& a, const Segment& b) { return length(a) < length(b); });
+                           [](const Ends& a, const Ends& b) { return length(a) < length(b); });
 }
 
 class PairSearch {
@@ -123,10 +123,10 @@ class PairSearch {
     if (is_parted(f, g, normal) || is_parted(g, f, normal)) return;
     const PlanarRegion of_f = region(f);
     const PlanarRegion of_g = region(g);
-    std::vector<Segment> inside;
+    std::vector<Ends> inside;
     const auto collect = [&](const PlanarRegion& outer, const PlanarRegion& inner) {
-      for (const Segment& edge : inner.edges) {
-        const std::vector<Segment> found = stretches_inside(outer, edge, slack_);
+      for (const Ends& edge : inner.edges) {
+        const std::vector<Ends> found = stretches_inside(outer, edge, slack_);
         inside.insert(inside.end(), found.begin(), found.end());
       }
     };
@@ -207,7 +207,7 @@ class PairSearch {
 PlanarRegion region_of(const Soup& soup, const SoupPolygon& polygon) {
   const std::optional<Plane> plane = plane_of(soup.points, polygon, 0.0);
   assert(plane);
-  std::vector<Segment> edges;
+  std::vector<Ends> edges;
   for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) { edges.push_back({soup.points[a], soup.points[b]}); });
   return {{plane->origin, frame_around(plane->normal)}, std::move(edges)};
 }

@@ -21,7 +21,7 @@ struct PolygonPair {
   Kind kind = Kind::kOverlap;
   std::uint32_t first = 0;
   std::uint32_t second = 0;
-  Segment where;  ///< the longest stretch of a side of one in the other, or of the line along which they cross
+  Ends where;  ///< the longest stretch of a side of one in the other, or of the line along which they cross
 };
 
 /// Lengths, distances and depths up to this many tolerances are no overlap and no crossing: vertices of polygons that were cut at each
