@@ -20,7 +20,7 @@ double lambert_term(const Vector& a, const Vector& b, const Vector& n) {
   const Vector c = cross(a, b);
   const double sine = norm(c);
   if (sine <= 0.0) return 0.0;
-  return arc_tangent(sine, dot(a, b)) * dot(c, n) / sine;
+  return arc_tangent(sine, dot(a, b)) * (dot(c, n) / sine);
 }
 
 }  // namespace
