@@ -40,6 +40,8 @@ class Linker {
   [[nodiscard]] bool holds(const Link& link) const;
   /// How a link that does not hold is refined.
   [[nodiscard]] LinkDecision::Kind split_of(const Link& link) const;
+  /// Error of a receiver's illuminance that causes as much at the sensors as one link may [lux].
+  [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
 
  private:
   [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;
@@ -48,7 +50,6 @@ class Linker {
   [[nodiscard]] bool cannot_matter(mesh::ElementId receiver, mesh::ElementId source) const;
   [[nodiscard]] std::optional<Link> link_roughly(const LinkCandidate& candidate) const;
   [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
-  [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
   /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a
   /// factor's error, for receivers whose places do not tell.
   [[nodiscard]] double unseen_peak(mesh::ElementId receiver, double exchange, double source_area) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "lighting/light_paths.h"
@@ -20,31 +21,40 @@ using mesh::Vector;
 
 namespace {
 
-/// A pane mirrors some tenth of the light, so that a few rays a link do; they are as many as visibility gets in links.
-constexpr std::uint32_t kRays = 16;
+/// Independently scrambled sets of rays, which tell the noise.
+constexpr std::uint32_t kSets = 4;
+/// A pane mirrors some tenth of the light, so that a few rays a link do, as a rule.
 constexpr std::uint32_t kFewRays = 4;
+constexpr std::uint32_t kRays = 16;
+constexpr std::uint32_t kMostRays = 512;
+/// How far single rays differ from what the pane shows on the mean, in terms of the mean: a lamp may fill a small part of it.
+constexpr double kSpread = 2.0;
 
 /// What the rays of one link to a pane end on.
 struct Reflections {
   std::vector<SeenSurface> seen;
   double sky_lux = 0.0;
   double factor = 0.0;  ///< of the pane itself by the same rays
+  double noise_lux = 0.0;
 
   void scale(double by) {
     for (SeenSurface& s : seen) s.factor *= static_cast<float>(by);
     sky_lux *= by;
+    noise_lux *= by;
   }
 };
 
 struct Collector {
   const Solution* solution;
   Reflections* into;
+  double
+      factor;  ///< of the ray; weights are shares of it, so that small elements' rays are not dropped for their smallness
 
   void surface(const SurfacePoint& point, float weight, bool) {
-    into->seen.push_back(seen_surface(*solution, point, weight));
+    into->seen.push_back(seen_surface(*solution, point, static_cast<float>(factor) * weight));
   }
   void sky(const Vector& direction, float weight, bool) {
-    into->sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    into->sky_lux += factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };
 
@@ -59,22 +69,31 @@ struct Aim {
 
 class Follower {
  public:
-  Follower(const Solution& solution, const Clusters& clusters, std::uint64_t seed)
-      : solution_(solution), clusters_(clusters), seed_(mesh::hash(seed, 9)) {}
+  Follower(const Solution& solution, const Clusters& clusters, const std::function<double(ElementId)>& tolerance_lux,
+           std::uint64_t seed)
+      : solution_(solution), clusters_(clusters), tolerance_lux_(tolerance_lux), seed_(mesh::hash(seed, 9)) {}
 
   [[nodiscard]] Reflections follow_link(const Link& link) const {
     const mesh::ElementTree& tree = solution_.tree();
     const bool cluster = link.source.is_cluster();
     const std::uint64_t other = cluster ? link.source.cluster() : tree.key(link.source.element());
-    const SobolPoints numbers(mesh::hash(mesh::hash(tree.key(link.receiver), other), seed_));
-    const std::uint32_t rays = link.rough ? kFewRays : kRays;
+    const std::uint64_t key = mesh::hash(mesh::hash(tree.key(link.receiver), other), seed_);
+    const std::uint32_t rays = rays_for(link);
     std::vector<std::array<Point, 3>> pane;
     if (!cluster) pane = tree.triangles(link.source.element());
     Reflections result;
-    for (std::uint32_t i = 0; i < rays; ++i) {
-      const Aim aim = cluster ? at_cluster(link, numbers, i) : at_element(link, pane, numbers, i);
-      if (aim.factor > 0.0) reflect(aim, aim.factor / rays, result);
+    std::array<double, kSets> lux{};
+    for (std::uint32_t set = 0; set < kSets; ++set) {
+      const SobolPoints numbers(mesh::hash(key, set));
+      const std::size_t first = result.seen.size();
+      const double sky_before = result.sky_lux;
+      for (std::uint32_t i = 0; i < rays / kSets; ++i) {
+        const Aim aim = cluster ? at_cluster(link, numbers, i) : at_element(link, pane, numbers, i);
+        if (aim.factor > 0.0) reflect(aim, aim.factor / rays, result);
+      }
+      lux[set] = kSets * (result.sky_lux - sky_before + illuminance(std::span(result.seen).subspan(first)));
     }
+    result.noise_lux = standard_error(lux);
     // The link knows the pane's form factor better than these rays do.
     if (!cluster && result.factor > 0.0) result.scale(link.factor / result.factor);
     return result;
@@ -82,6 +101,35 @@ class Follower {
 
  private:
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
+
+  /// By what the pane sends as a matt surface.
+  [[nodiscard]] std::uint32_t rays_for(const Link& link) const {
+    const double bright = link.source.is_cluster() ? clusters_.radiosity_mean(link.source.cluster())
+                                                   : solution_.radiosity_mean(link.source.element());
+    const double wanted = std::pow(kSpread * link.factor * bright / tolerance_lux_(link.receiver), 2.0);
+    std::uint32_t rays = link.rough ? kFewRays : kRays;
+    while (rays < wanted && rays < kMostRays) rays *= 2;
+    return rays;
+  }
+
+  /// By the radiosities of the solution as it stands.
+  [[nodiscard]] double illuminance(std::span<const SeenSurface> seen) const {
+    double lux = 0.0;
+    for (const SeenSurface& one : seen) {
+      const ElementId e = solution_.element_at(one.node, one.at);
+      if (e.valid()) lux += static_cast<double>(one.factor) * solution_.radiosity_mean(e);
+    }
+    return lux;
+  }
+
+  /// Of the mean of independent values.
+  static double standard_error(const std::array<double, kSets>& values) {
+    double mean = 0.0;
+    for (const double v : values) mean += v / kSets;
+    double square = 0.0;
+    for (const double v : values) square += (v - mean) * (v - mean);
+    return std::sqrt(square / (kSets * (kSets - 1.0)));
+  }
 
   /// By solid angle, so that panes next to the receiver make no outliers.
   [[nodiscard]] Aim at_element(const Link& link, std::span<const std::array<Point, 3>> pane, const SobolPoints& numbers,
@@ -135,21 +183,21 @@ class Follower {
     const float mirrored = mesh::transmittance_at(scene().glazings[static_cast<std::size_t>(glazing)].reflectance,
                                                   static_cast<float>(cosine));
     const Vector onwards = normalized(aim.direction + (2.0 * cosine) * facing);
-    Collector collector{&solution_, &result};
-    follow(scene(), before, onwards, static_cast<float>(factor) * passed * mirrored,
-           PathRule{PathRule::Part::kAll, -1, true}, collector, 1);
+    Collector collector{&solution_, &result, factor};
+    follow(scene(), before, onwards, passed * mirrored, PathRule{PathRule::Part::kAll, -1, true}, collector, 1);
   }
 
   const Solution& solution_;
   const Clusters& clusters_;
+  const std::function<double(ElementId)>& tolerance_lux_;
   std::uint64_t seed_;
 };
 
 }  // namespace
 
 MirroredLight follow_mirrors(const Solution& solution, const Clusters& clusters, std::span<const Link> to_panes,
-                             std::uint64_t seed) {
-  const Follower follower(solution, clusters, seed);
+                             const std::function<double(ElementId)>& tolerance_lux, std::uint64_t seed) {
+  const Follower follower(solution, clusters, tolerance_lux, seed);
   std::vector<Reflections> reflections(to_panes.size());
   parallel_for(to_panes.size(), [&](std::size_t i) { reflections[i] = follower.follow_link(to_panes[i]); });
   MirroredLight result;
@@ -159,6 +207,7 @@ MirroredLight follow_mirrors(const Solution& solution, const Clusters& clusters,
     if (link.factor > 0.0F) slope = {1.0F, link.slope_u / link.factor, link.slope_v / link.factor};
     const std::vector<Link> links = links_to_seen(solution, link.receiver, reflections[i].seen, slope);
     result.links.insert(result.links.end(), links.begin(), links.end());
+    result.noise.push_back({link.receiver, reflections[i].noise_lux});
     const auto sky = static_cast<float>(reflections[i].sky_lux);
     if (sky > 0.0F) result.sky.push_back({link.receiver, {sky, sky * slope.slope_u, sky * slope.slope_v}});
   }

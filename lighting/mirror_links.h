@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,11 +21,19 @@ struct MirroredLight {
     LinearValue lux;
   };
   std::vector<FromSky> sky;
+  /// Standard error of a receiver's illuminance by one of the links, as the radiosities stand.
+  struct Noise {
+    mesh::ElementId receiver;
+    double lux = 0.0;
+  };
+  std::vector<Noise> noise;
 };
 
 /// Follows links whose source is a pane, or a cluster of panes, on to what the pane mirrors: form factors that pass by an ideal specular
-/// reflection, by recursive ray tracing [Sillion, Puech 1989]. The links themselves only tell how finely the panes must be seen.
+/// reflection, by recursive ray tracing [Sillion, Puech 1989]. The links themselves only tell how finely the panes must be seen, and how
+/// much light to expect: that decides the number of rays, so that what they find cannot.
+/// @param tolerance_lux  of a receiver: the noise that one link may have
 MirroredLight follow_mirrors(const Solution& solution, const Clusters& clusters, std::span<const Link> to_panes,
-                             std::uint64_t seed);
+                             const std::function<double(mesh::ElementId)>& tolerance_lux, std::uint64_t seed);
 
 }  // namespace clerestory::lighting

@@ -182,8 +182,11 @@ class Solver {
   void see_mirrors() {
     const auto to_pane =
         std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
-    const MirroredLight mirrored =
-        follow_mirrors(solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()), options_.seed);
+    const Linker linker(solution_, clusters_, importance_, options_.mirror_share * options_.accuracy * scale_lux_,
+                        options_.seed);
+    const MirroredLight mirrored = follow_mirrors(
+        solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()),
+        [&](ElementId receiver) { return linker.tolerance(receiver); }, options_.seed);
     links_.erase(to_pane, links_.end());
     links_.insert(links_.end(), mirrored.links.begin(), mirrored.links.end());
     for (const MirroredLight::FromSky& sky : mirrored.sky) {
@@ -193,6 +196,7 @@ class Solver {
         direct.slope_v += sky.lux.slope_v;
       }
     }
+    for (const MirroredLight::Noise& noise : mirrored.noise) solution_.add_error(noise.receiver, noise.lux * noise.lux);
     sort_links();
   }
 

@@ -29,6 +29,8 @@ struct SolveOptions {
   double link_share = 0.0005;
   /// The same for all that one node sees by rays, which is right on the mean.
   double node_share = 0.02;
+  /// The same for the rays of one link to a pane.
+  double mirror_share = 0.1;
 };
 
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by

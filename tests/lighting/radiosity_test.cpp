@@ -8,11 +8,13 @@
 #include <numbers>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/path_tracer.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
 namespace {
 
+using clerestory::test::pane_optics;
 using mesh::ElementId;
 using mesh::Point;
 using test::Solved;
@@ -96,6 +98,51 @@ TEST(Radiosity, FurnaceWithAPaneThatTakesNothingKeepsItsRadiosity) {
   }
   EXPECT_LT(std::abs(mean / area), 1e-3);
   EXPECT_LT(std::sqrt(square / area), study.accuracy.target / 4.0);
+}
+
+/// A lamp of 1 m × 1 m at z = 1.5 over a wide pane at z = 0, and around it, at z = 1, four plates of 0.5 m × 0.5 m that look down:
+/// they get light from the lamp's mirror image alone.
+Study lamp_over_pane() {
+  mesh::Model model;
+  support::add_quad(model, {-7, -7, 0}, {7, -7, 0}, {7, 7, 0}, {-7, 7, 0}, {"glass", "glass"});
+  support::add_quad(model, {-0.5, -0.5, 1.5}, {-0.5, 0.5, 1.5}, {0.5, 0.5, 1.5}, {0.5, -0.5, 1.5}, {"lamp", "lamp"});
+  const std::vector<Point> plates{{1.75, 0, 1}, {-1.75, 0, 1}, {0, 1.75, 1}, {0, -1.75, 1}};
+  for (const Point& p : plates) {
+    const double h = 0.25;
+    support::add_quad(model, {p.x - h, p.y - h, p.z}, {p.x - h, p.y + h, p.z}, {p.x + h, p.y + h, p.z},
+                      {p.x + h, p.y - h, p.z}, {"plate", "plate"});
+  }
+  Study study = test::study_of(std::move(model), 0.2, {});
+  study.grids[0].points.clear();
+  for (const Point& p : plates) study.grids[0].points.push_back({p.x, p.y, 0.98});
+  study.grids[0].normals.assign(plates.size(), {0, 0, 1});
+  test::shine(test::material(study, "lamp"), 1000.0);
+  test::glaze(test::material(study, "glass"));
+  study.accuracy.target = 0.2;  // of next to nothing: the sensors look at plates that only the mirror lights
+  return study;
+}
+
+/// What a plate gets of the lamp's image at z = -1.5: the form factor times R(θ), by brute force.
+double from_the_image() {
+  constexpr int kSteps = 24;
+  constexpr double kPairs = 1.0 * kSteps * kSteps * kSteps * kSteps;
+  const auto place = [](int digit) { return (digit + 0.5) / kSteps - 0.5; };
+  double sum = 0.0;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const Point p{1.75 + 0.5 * place(i / kSteps), 0.5 * place(i % kSteps), 1.0};
+    for (int j = 0; j < kSteps * kSteps; ++j) {
+      const mesh::Vector d = Point{place(j / kSteps), place(j % kSteps), -1.5} - p;
+      const double cosine = -d.z / norm(d);
+      sum += cosine * cosine / (std::numbers::pi * dot(d, d)) * pane_optics(0.70, cosine).reflectance;
+    }
+  }
+  return 1000.0 * sum / kPairs;
+}
+
+TEST(Radiosity, PaneSendsLightOnAsAMirror) {
+  const Solved s(lamp_over_pane());
+  const double expected = from_the_image();
+  EXPECT_NEAR(s.mean_illuminance(s.roots("plate")), expected, 0.03 * expected);
 }
 
 TEST(Radiosity, MeanInAClosedRoomIsTheIntegratingSpheres) {
