@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesh/reachable.h"
-
 namespace clerestory::lighting {
 
 namespace {
@@ -57,7 +55,7 @@ GridSite::GridSite(const SensorPlaces& places)
       rays(places.rays),
       rooms(places.rooms),
       regions(mesh::number_regions(places.faces, places.rooms.floor_of)),
-      reachable(mesh::reachable_triangles(places.faces, places.rays, places.reachable)) {}
+      reachable(places.reachable) {}
 
 double GridSite::free_way(const mesh::Point& from, const mesh::Vector& direction) const {
   const mesh::Hit hit = rays.first_hit({from, direction});

@@ -16,8 +16,8 @@ struct GridSite {
   const mesh::Faces& faces;
   const mesh::Rays& rays;
   const mesh::Rooms& rooms;
-  mesh::Regions regions;                ///< divided where a floor goes on from room to room
-  std::vector<std::uint8_t> reachable;  ///< [2 a triangle of the shape] as mesh::reachable_triangles
+  mesh::Regions regions;                       ///< divided where a floor goes on from room to room
+  const std::vector<std::uint8_t>& reachable;  ///< [2 a triangle of the shape] as mesh::reachable_triangles
 
   explicit GridSite(const SensorPlaces& places);
 

@@ -17,7 +17,7 @@ namespace clerestory::lighting {
 struct SensorPlaces {
   const mesh::Faces& faces;
   const mesh::Rays& rays;
-  /// [2 a face] whether light, or the outside, can reach that face side (mesh::reachable_sides)
+  /// [2 a triangle of the shape] whether light, or the outside, can reach that side of it (mesh::reachable_triangles)
   const std::vector<std::uint8_t>& reachable;
   const mesh::Rooms& rooms;
 };

@@ -64,7 +64,7 @@ struct AllSensors {
 
 AllSensors place_all(const Study& study, Scene& scene, Results& results) {
   AllSensors all;
-  const SensorPlaces places{scene.faces, *scene.rays, scene.reachable, scene.rooms};
+  const SensorPlaces places{scene.faces, *scene.rays, scene.reachable_triangles, scene.rooms};
   for (const GridRequest& request : study.grids) {
     for (NamedSensors& placed : place_sensors(request, places, scene.notices)) {
       GridResult grid;

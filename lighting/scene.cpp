@@ -212,8 +212,10 @@ void find_rooms(const Study& study, Scene& scene) {
     glazing.push_back(scene.glazing_of[f] >= 0 ? 1 : 0);
     air.push_back(scene.passable[f] != 0 && scene.glazing_of[f] < 0 ? 1 : 0);
   }
-  scene.rooms = mesh::find_rooms(scene.faces, *scene.rays,
-                                 {.glazing = glazing, .air = air, .reached = scene.reachable, .spaces = study.spaces});
+  scene.reachable_triangles = mesh::reachable_triangles(scene.faces, *scene.rays, scene.reachable);
+  scene.rooms =
+      mesh::find_rooms(scene.faces, *scene.rays,
+                       {.glazing = glazing, .air = air, .reached = scene.reachable_triangles, .spaces = study.spaces});
 }
 
 void say_what_lights(Scene& scene) {

@@ -20,9 +20,10 @@ namespace {
 
 /// A room has walls on so much of its border; below eaves, canopies and balconies there is less.
 constexpr double kEnclosed = 0.6;
-/// Inside of a solid nearly all rays meet something, so many of them back sides, and few what light reaches.
+/// Inside of a solid nearly all rays meet something, most of them back sides (what it stands on may lack a polygon of its own), and few
+/// what light reaches.
 constexpr double kClosed = 0.95;
-constexpr double kBacks = 0.85;
+constexpr double kBacks = 0.6;
 constexpr double kLit = 0.25;
 /// Where fronts look outwards everywhere, backs tell walls by their width alone: less than twice this [m].
 constexpr double kHalfWall = 0.75;
@@ -48,7 +49,8 @@ void look(const Rays& rays, const RoomSearch& search, const Point& from, std::ui
     if (!hit.face.valid()) continue;
     view.hits += 1.0;
     if (hit.side == Side::kBack) view.backs += 1.0;
-    if (!search.reached.empty() && search.reached[FaceSide{hit.face, hit.side}.index()] != 0) view.lit += 1.0;
+    const std::size_t side = 2 * std::size_t{hit.triangle} + static_cast<std::size_t>(hit.side);
+    if (!search.reached.empty() && search.reached[side] != 0) view.lit += 1.0;
   }
 }
 
@@ -69,18 +71,31 @@ std::vector<View> look_around(const Rays& rays, const RoomSearch& search, const 
   return views;
 }
 
+/// Which drafts are the insides of solids (the ground below a house, a thick wall): backs of faces and no light. Where lit rooms show
+/// backs too, that tells walls, which are narrow, and what nothing leads into.
+std::vector<bool> find_solids(const Rays& rays, const RoomSearch& search, const RoomDrafts& drafts,
+                              const std::vector<RoomColumn>& columns) {
+  const auto views = look_around(rays, search, drafts, columns);
+  std::vector<bool> solid;
+  for (const View& v : views) solid.push_back(v.sees_backs() && !v.is_lit());
+  if (std::ranges::none_of(views, [](const View& v) { return v.sees_backs() && v.is_lit(); })) return solid;
+  std::vector<RoomColumn> niches;
+  const auto holes = find_holes(drafts.columns, drafts.of_span, drafts.rooms.size(), niches);
+  for (std::size_t r = 0; r < solid.size(); ++r) {
+    if (drafts.rooms[r].clearance_m >= kHalfWall && !holes[r].empty()) solid[r] = false;
+  }
+  return solid;
+}
+
 /// Which drafts become rooms. Where none is a room by all that is asked, less is asked: a pavilion has no walls.
 std::vector<bool> choose(const Rays& rays, const RoomSearch& search, const RoomDrafts& drafts,
                          const std::vector<RoomColumn>& columns) {
-  const auto views = look_around(rays, search, drafts, columns);
-  // Backs tell the insides of solids (the ground below a house, a thick wall) unless lit rooms show backs too.
-  const bool fronts_look_in = std::ranges::none_of(views, [](const View& v) { return v.sees_backs() && v.is_lit(); });
+  const auto solid = find_solids(rays, search, drafts, columns);
   std::vector<bool> enclosed;
   std::vector<bool> rooms;
   for (std::size_t r = 0; r < drafts.rooms.size(); ++r) {
-    const bool tells = fronts_look_in || drafts.rooms[r].clearance_m < kHalfWall;
     enclosed.push_back(drafts.rooms[r].enclosed_share >= kEnclosed);
-    rooms.push_back(enclosed[r] && !(tells && views[r].sees_backs() && !views[r].is_lit()));
+    rooms.push_back(enclosed[r] && !solid[r]);
   }
   const auto any = [](const std::vector<bool>& which) { return std::ranges::find(which, true) != which.end(); };
   if (any(rooms) || !search.spaces.empty()) return rooms;

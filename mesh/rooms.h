@@ -67,7 +67,8 @@ struct Rooms {
 struct RoomSearch {
   std::span<const std::uint8_t> glazing = {};  ///< [faces] non-zero for panes; empty: none
   std::span<const std::uint8_t> air = {};      ///< [faces] non-zero for air polygons; they end rooms; empty: none
-  /// [2 a face] non-zero for sides that light or the outside can reach, which tells rooms from the insides of solids; empty: unknown
+  /// [2 a triangle of the shape] non-zero for sides that light or the outside can reach (reachable_triangles()), which tells rooms from
+  /// the insides of solids; empty: unknown
   std::span<const std::uint8_t> reached = {};
   std::span<const Space> spaces = {};
 };

@@ -29,7 +29,7 @@ struct Site {
   explicit Site(const mesh::Model& model, std::vector<Point> lamps = {})
       : faces(mesh::build_faces(mesh::clean(model, {}))), rays(faces) {
     for (Point& lamp : lamps) lamp = lamp - faces.origin;
-    reachable = mesh::reachable_sides(faces, rays, {}, lamps);
+    reachable = mesh::reachable_triangles(faces, rays, mesh::reachable_sides(faces, rays, {}, lamps));
     rooms = mesh::find_rooms(faces, rays, {.reached = reachable});
   }
   /// Sensors in model coordinates.

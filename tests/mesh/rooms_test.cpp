@@ -22,15 +22,14 @@ using Kind = RoomOpening::Kind;
 /// A model with its rooms. Panes are faces of the material "glass", air polygons those of "air".
 struct Building {
   explicit Building(const Model& model, const std::vector<Space>& spaces = {})
-      : faces(build_faces(clean(model, {}))), rays(faces) {
-    std::vector<std::uint8_t> glass;
-    std::vector<std::uint8_t> air;
-    for (const Face& face : faces.faces) {
-      glass.push_back(faces.material_names[face.material.index()] == "glass" ? 1 : 0);
-      air.push_back(faces.material_names[face.material.index()] == "air" ? 1 : 0);
-    }
-    const auto reached = reachable_sides(faces, rays, {}, {});
+      : faces(build_faces(clean(model, {}))), glass(of_material("glass")), air(of_material("air")), rays(faces, glass) {
+    const auto reached = reachable_triangles(faces, rays, reachable_sides(faces, rays, {}, {}));
     found = find_rooms(faces, rays, {.glazing = glass, .air = air, .reached = reached, .spaces = spaces});
+  }
+  [[nodiscard]] std::vector<std::uint8_t> of_material(const std::string& name) const {
+    std::vector<std::uint8_t> which;
+    for (const Face& face : faces.faces) which.push_back(faces.material_names[face.material.index()] == name ? 1 : 0);
+    return which;
   }
   [[nodiscard]] std::uint32_t at(const Point& p) const { return room_at(found, rays, p - faces.origin); }
   [[nodiscard]] const std::vector<Room>& rooms() const { return found.rooms; }
@@ -40,6 +39,8 @@ struct Building {
   }
 
   Faces faces;
+  std::vector<std::uint8_t> glass;
+  std::vector<std::uint8_t> air;
   Rays rays;
   Rooms found;
 };
@@ -208,6 +209,21 @@ TEST(Rooms, SolidsAreNotRooms) {
   ASSERT_EQ(b.rooms().size(), 1U);
   EXPECT_NEAR(b.rooms()[0].floor_area_m2, 8.4 * 8.4, 0.05);
   EXPECT_EQ(b.at({5, 5, -1}), kNoRoom);
+}
+
+TEST(Rooms, SolidsAreToldWhereFrontsLookOutwardsToo) {
+  Model model;
+  add_box(model, {20, 0, 0}, {30, 10, 8}, {"concrete", "neighbour"});
+  // A room of outward fronts, lit by a window that fills its wall at y = 0.
+  add_quad(model, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}, {4, 0, 0});
+  add_quad(model, {0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {0, 4, 3});
+  add_quad(model, {0, 0, 0}, {0, 0, 3}, {0, 4, 3}, {0, 4, 0});
+  add_quad(model, {4, 0, 0}, {4, 4, 0}, {4, 4, 3}, {4, 0, 3});
+  add_quad(model, {0, 4, 0}, {0, 4, 3}, {4, 4, 3}, {4, 4, 0});
+  add_quad(model, {0, 0, 0}, {4, 0, 0}, {4, 0, 3}, {0, 0, 3}, {"glass", "window"});
+  const Building b(model);
+  ASSERT_EQ(b.rooms().size(), 1U);
+  EXPECT_NEAR(b.rooms()[0].floor_area_m2, 16.0, 1e-6);
 }
 
 TEST(Rooms, AtticReachesDownToItsEaves) {
