@@ -63,7 +63,8 @@ std::vector<View> look_around(const Rays& rays, const RoomSearch& search, const 
   std::vector<View> views(drafts.rooms.size());
   for (std::size_t r = 0; r < views.size(); ++r) {
     for (std::uint32_t k = 0; k < kPlaces; ++k) {
-      const RoomColumn& c = *columns_of[r][(2 * k + 1) * columns_of[r].size() / (2 * kPlaces)];
+      const std::size_t place = (2 * std::size_t{k} + 1) * columns_of[r].size() / (2 * std::size_t{kPlaces});
+      const RoomColumn& c = *columns_of[r][place];
       const double z = 0.5 * (static_cast<double>(c.free_from) + c.ceiling);
       look(rays, search, {raster.x(c.column), raster.y(c.column), z}, k, views[r]);
     }
@@ -77,6 +78,7 @@ std::vector<bool> find_solids(const Rays& rays, const RoomSearch& search, const 
                               const std::vector<RoomColumn>& columns) {
   const auto views = look_around(rays, search, drafts, columns);
   std::vector<bool> solid;
+  solid.reserve(views.size());
   for (const View& v : views) solid.push_back(v.sees_backs() && !v.is_lit());
   if (std::ranges::none_of(views, [](const View& v) { return v.sees_backs() && v.is_lit(); })) return solid;
   std::vector<RoomColumn> niches;

@@ -162,5 +162,26 @@ TEST_F(VtkFiles, FileThatCannotBeWrittenIsAnErrorThatNamesIt) {
   EXPECT_THROW(write_result_vtm(folder_ / "missing" / "result.vtm", {}), MachineError);
 }
 
+TEST_F(VtkFiles, LeaksArePointsWithTheirRooms) {
+  EXPECT_FALSE(has_leaks(results_));
+  using Kind = mesh::RoomOpening::Kind;
+  results_.rooms.resize(2);
+  results_.rooms[0].name = "office";
+  results_.rooms[0].openings = {{Kind::kGlazing, mesh::kNoRoom, 2.0, {1, 0, 1}}};
+  EXPECT_FALSE(has_leaks(results_));
+  results_.rooms[1].name = "store";
+  results_.rooms[1].openings = {{Kind::kHole, 0, 1.5, {4, 4, 4}},
+                                {Kind::kHole, mesh::kNoRoom, 0.25, {600'000.125, 2, 3}}};
+  EXPECT_TRUE(has_leaks(results_));
+  write_leaks_vtp(folder_ / "leaks.vtp", results_, context_);
+  const auto data = read(folder_ / "leaks.vtp");
+  ASSERT_EQ(data->GetNumberOfPoints(), 1);
+  ASSERT_EQ(data->GetNumberOfVerts(), 1);
+  EXPECT_EQ(data->GetPoint(0)[0], 600'000.125);
+  EXPECT_EQ(data->GetCellData()->GetArray("room")->GetTuple1(0), 1.0);
+  EXPECT_EQ(data->GetCellData()->GetArray("area_m2")->GetTuple1(0), 0.25);
+  EXPECT_EQ(word(data, "room_names", 1), "store");
+}
+
 }  // namespace
 }  // namespace clerestory::io
