@@ -76,9 +76,9 @@ struct RoomSearch {
 /// Finds the rooms of a model: its spaces, and enclosed volumes that no space fills.
 /// Enclosed volumes are found by a watershed of the free space's distance to the walls [Haumont, Debeir, Sillion 2003], below the
 /// ceilings, where furniture does not divide; doors, open or closed, end rooms, and so do openings less than 1.2 m wide, or 1.6 m below a
-/// lintel; gaps below 5 to 10 cm are closed (docs/theory/rooms.md). A room needs a headroom of 1.8 m on 0.8 m² and a width of 0.6 m; one without a ceiling, or with a missing wall, is a room
-/// that is not closed. Floor areas are those of the floor's triangles where these tell the room's edge, else counted on the raster with
-/// rays (to about 0.5 %); volumes add heights found by rays. Deterministic.
+/// lintel; gaps below 5 to 10 cm are closed (docs/theory/rooms.md). A room needs a headroom of 1.8 m on 0.8 m² and a width of 0.6 m;
+/// one without a ceiling, or with a missing wall, is a room that is not closed. Floor areas are those of the floor's triangles where
+/// these tell the room's edge, else counted on the raster with rays (to about 0.5 %); volumes add heights found by rays. Deterministic.
 /// @param rays  of these faces
 Rooms find_rooms(const Faces& faces, const Rays& rays, const RoomSearch& search = {});
 
