@@ -314,7 +314,8 @@ constexpr StudyKey kKeys[] = {
     {.path = "grids[].name",
      .type = kText,
      .fallback = "\"workplane\"",
-     .meaning = "Names the result files; each grid has its own. A study without grids gets one a room, named after it."},
+     .meaning =
+         "Names the result files; each grid has its own. A study without grids gets one a room, named after it."},
     {.path = "grids[].surface",
      .type = kTexts,
      .fallback = "\"rooms\"",

@@ -36,13 +36,13 @@ struct Scene {
   std::size_t channels = 1;
   std::vector<float> channel_weights;  ///< of each channel in luminance; their sum is 1
 
-  std::vector<float> reflectance;          ///< [sides × channels] diffuse; of glazing its hemispherical reflectance
-  std::vector<float> exitance;             ///< [sides × channels] emitted [lm/m²]
-  std::vector<std::uint8_t> reachable;     ///< [sides] light or the outside can get there
+  std::vector<float> reflectance;       ///< [sides × channels] diffuse; of glazing its hemispherical reflectance
+  std::vector<float> exitance;          ///< [sides × channels] emitted [lm/m²]
+  std::vector<std::uint8_t> reachable;  ///< [sides] light or the outside can get there
   std::vector<std::uint8_t> reachable_triangles;  ///< [2 a triangle of the shape] the same, piece by piece
   std::vector<std::uint8_t> has_elements;         ///< [sides] takes part in the solution
-  std::vector<std::uint8_t> passable;      ///< [faces] glazing or opening
-  std::vector<std::int32_t> glazing_of;    ///< [faces] index into glazings, -1 for the others
+  std::vector<std::uint8_t> passable;             ///< [faces] glazing or opening
+  std::vector<std::int32_t> glazing_of;           ///< [faces] index into glazings, -1 for the others
   std::vector<GlazingCurves> glazings;
   std::vector<Opening> openings;
   std::vector<std::int32_t> opening_of;  ///< [faces] index into openings, -1 for the others
