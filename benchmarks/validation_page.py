@@ -67,8 +67,6 @@ One line a test; figures as the tests print them.
 """
 CONVERGENCE_LINE = re.compile(
     r"accuracy (\d+) %, seed \d+: rms ([\d.]+) %, rms\(z\) [\d.]+, (\d+) elements, (\d+) links, (\d+) rays")
-
-
 BALANCE_LINE = re.compile(r"lamp-room at (\d+) %: balance (\S+), reciprocity \S+, closure (\S+)")
 FURNACE_LINE = re.compile(r"box: radiosity mean \S+ rms (\S+), largest (\S+);")
 
