@@ -49,7 +49,7 @@ void add_default_grid(StudyValue& study) {
 void drop_layout_of_given_points(StudyValue& study) {
   for (StudyValue& grid : study.find("grids")->children) {
     if (grid.find("points") == nullptr) continue;
-    std::erase_if(grid.children, [](const StudyValue& member) { return member.file.empty() && member.key != "name"; });
+    std::erase_if(grid.children, [](const StudyValue& member) { return !member.is_given() && member.key != "name"; });
   }
 }
 

@@ -21,11 +21,6 @@ constexpr std::uint64_t kLargestStudy = std::uint64_t{16} << 20;  // bytes
 
 bool is_study_file(const fs::path& path) { return lower(path.extension().string()) == ".toml"; }
 
-bool names_up(const StudyValue& root) {
-  const StudyValue* table = find_table(root, "model");
-  return table != nullptr && table->find("up") != nullptr;
-}
-
 /// The tree of a study that consists of a model file alone.
 StudyValue study_of_model(const fs::path& model) {
   StudyValue file;
@@ -60,14 +55,22 @@ void record_unit(StudyValue& root, LengthUnit unit) {
   table.children.push_back(std::move(value));
 }
 
-void record_up(StudyValue& root, UpAxis up) { root.find("model")->find("up")->text = up == UpAxis::kZ ? "z" : "y"; }
+/// The same for the axis that points up. Where nothing but a model was given, that is said.
+void record_up(StudyValue& root, UpAxis up, bool is_study, lighting::Study& study) {
+  StudyValue& value = *root.find("model")->find("up");
+  if (value.is_given()) return;
+  value.text = up == UpAxis::kZ ? "z" : "y";
+  if (!is_study)
+    study.assumptions.push_back(
+        fmt::format("The model's {} axis points up. Set model.up where that is wrong.", value.text));
+}
 
 }  // namespace
 
 StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options) {
   StudyValue root = read_tree(study_or_model, options);
   check_study(root, options.kind);
-  StudyPlace place{.folder = study_or_model.parent_path(), .files = {study_or_model}, .names_up = names_up(root)};
+  StudyPlace place{.folder = study_or_model.parent_path(), .files = {study_or_model}};
   fill_defaults(root);
 
   StudyInput input;
@@ -76,10 +79,8 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   study.name = study_or_model.stem().string();
   input.model = read_model_table(root, place, study);
   const ModelFile& model = input.model;
-  if (!place.names_up) record_up(root, model.up);
-  if (!place.names_up && !is_study_file(study_or_model))
-    study.assumptions.push_back(fmt::format("The model's {} axis points up. Set model.up where that is wrong.",
-                                            model.up == UpAxis::kZ ? 'z' : 'y'));
+  record_up(root, model.up, is_study_file(study_or_model), study);
+  read_site_table(root, model.site, study);
   read_materials_table(root, model, study);
   if (!options.model_only) {
     read_sky_table(root, study);

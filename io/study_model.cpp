@@ -34,11 +34,10 @@ ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::
   const fs::path path = model_path(root, table, place.folder);
   ModelFormat format;
   format.unit = length_unit(text_or(table, "units", ""));
-  if (place.names_up) format.up = text_or(table, "up", "z") == "y" ? UpAxis::kY : UpAxis::kZ;
+  if (const StudyValue& up = *table.find("up"); up.is_given()) format.up = up.text == "y" ? UpAxis::kY : UpAxis::kZ;
   ModelFile model = read_model(path, format);
   study.model = std::move(model.model);
   for (const ModelSpace& space : model.spaces) study.spaces.push_back({space.name, space.boundary});
-  study.north_deg = number_or(table, "north", 0.0);
   study.clean.repair = repair_of(text_or(table, "repair", "auto"));
   if (const StudyValue* gap = table.find("gap"); gap != nullptr && gap->is_number()) study.clean.gap_m = gap->number;
   study.assumptions.insert(study.assumptions.end(), model.notices.begin(), model.notices.end());

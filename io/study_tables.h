@@ -16,12 +16,14 @@ namespace clerestory::io {
 struct StudyPlace {
   std::filesystem::path folder;              ///< that paths are relative to
   std::vector<std::filesystem::path> files;  ///< that were read
-  bool names_up = false;                     ///< whether the study itself names the axis that points up
 };
 
-/// [model] and [site]: reads the model file into study.model.
+/// [model]: reads the model file into study.model.
 /// Throws InputError for a model that is not there, of an unsupported format, or at fault.
 ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
+/// model.north and [site]: what the study leaves open is as the model's file says, in the tree too.
+void read_site_table(StudyValue& root, const ModelSite& site, lighting::Study& study);
 
 /// [materials]: one material a model material. The study counts first, then names like glass, then the MTL, then orientation.
 /// Throws InputError for entries that contradict themselves, and names that match no material.

@@ -25,6 +25,7 @@ struct StudyValue {
 
   [[nodiscard]] const StudyValue* find(std::string_view name) const;
   [[nodiscard]] StudyValue* find(std::string_view name);
+  [[nodiscard]] bool is_given() const { return !file.empty(); }  ///< by the user, in the study or beside it
   [[nodiscard]] bool is_number() const { return kind == Kind::kNumber || kind == Kind::kInteger; }
 
   /// The error that this value is at fault.
