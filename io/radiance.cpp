@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestIncludes = 64;
+constexpr std::size_t kLongestPart = 1000;         // characters: each of the most copies has a name of its own
 constexpr std::size_t kMostPolygons = 5000000;     // of any building, and of what the memory of a common machine holds
 constexpr std::size_t kMostStatements = 10000000;  // copies of files included
 constexpr std::uint64_t kLargestArguments = std::uint64_t{1} << 20;  // bytes
@@ -137,6 +138,9 @@ void SceneReader::add_copy(const RadianceFile& from, std::uint64_t line, const R
     inner.modifier = place.modifier ? place.modifier : copy.modifier;
     const std::string own = copy.name.empty() ? inside.path.stem().string() + copy.numbers : copy.name;
     inner.part = place.part.empty() ? own : place.part + "." + own;
+    if (inner.part.size() > kLongestPart)
+      throw InputError(from.name, line, fmt::format("the name of this copy has over {} characters", kLongestPart),
+                       "give shorter names by -n");
     add_file(inside, inner);
   }
 }

@@ -19,7 +19,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr int kDeepestArguments = 16;  // -f files that name -f files
+constexpr int kDeepestCommand = 16;  // arrays in arrays, and -f files that name -f files
+/// Words that a command may become when its arrays are written out [bytes]: some 1300 a copy for the most copies.
+constexpr std::size_t kMostWords = std::size_t{256} << 20;
 /// Programs whose whole output is a sky: the study says which sky there is.
 constexpr std::array<std::string_view, 4> kSkyMakers{"gensky", "gendaylit", "genssky", "gencumulativesky"};
 
@@ -45,6 +47,11 @@ class CommandReader {
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const {
     throw InputError(place_.file, place_.line, what, hint);
   }
+  void check_words(const Words& words) {
+    for (const std::string& word : words) words_ += word.size() + sizeof(word);
+    if (words_ > kMostWords)
+      fail("this command is too long for the copies that it makes", "make the arrays or the list of files smaller");
+  }
   void check_copies(std::size_t copies) const {
     if (copies > kMostRadianceCopies)
       fail(fmt::format("this command makes more than {} copies", kMostRadianceCopies), "make the arrays smaller");
@@ -53,6 +60,7 @@ class CommandReader {
   std::string command_;
   RadiancePlace place_;
   const ArgumentLines& argument_lines_;
+  std::size_t words_ = 0;  ///< that were written out [bytes]
 };
 
 std::string program_of(const std::string& stage) {
@@ -112,7 +120,10 @@ RadianceInclude CommandReader::read() {
     check_copies(outer.size() * include.copies.size());
     std::vector<RadianceCopy> both;
     for (const RadianceCopy& copy : outer)
-      for (const RadianceCopy& inner : include.copies) both.push_back(after(inner, copy));
+      for (const RadianceCopy& inner : include.copies) {
+        check_words(inner.files);
+        both.push_back(after(inner, copy));
+      }
     include.copies = std::move(both);
   }
   return include;
@@ -143,6 +154,10 @@ std::vector<RadianceCopy> CommandReader::read_stage(const std::string& text, boo
 
 /// Arrays and files of arguments become a command for each of their copies, as xform itself does it.
 void CommandReader::add_xform(Words words, int depth, std::vector<RadianceCopy>& copies) {
+  check_words(words);
+  if (depth > kDeepestCommand)
+    fail(fmt::format("over {} arrays and files of arguments for xform stand in each other", kDeepestCommand),
+         "write fewer -a, and let no -f file name itself");
   const auto by_file = std::find(words.begin(), words.end(), "-f");
   if (by_file != words.end())
     return add_by_argument_file(words, static_cast<std::size_t>(by_file - words.begin()), depth, copies);
@@ -169,7 +184,6 @@ RadianceTransform power(RadianceTransform steps, std::size_t times) {
 void CommandReader::add_by_argument_file(const Words& words, std::size_t at, int depth,
                                          std::vector<RadianceCopy>& copies) {
   if (at + 1 >= words.size()) fail("-f of xform names no file", "name the file that holds the arguments");
-  if (depth >= kDeepestArguments) fail("files of arguments for xform name each other", "take one of them out");
   std::size_t row = 0;
   for (const std::string& line : argument_lines_(words[at + 1])) {
     std::string_view text = trim(line);
@@ -192,7 +206,7 @@ void CommandReader::add_array(const Words& words, std::size_t at, int depth, std
   for (std::size_t i = 0; i < number_of_copies; ++i) {
     one[at + 1] = std::to_string(i);
     const std::size_t from = copies.size();
-    add_xform(one, depth, copies);
+    add_xform(one, depth + 1, copies);
     put_number_before(copies, from, i);
   }
 }

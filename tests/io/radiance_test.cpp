@@ -130,6 +130,7 @@ TEST_F(Radiance, TooMuchIsRefusedBeforeItFillsTheMemory) {
   write_text(beside("nothing.rad"), "# nothing\n");
   write_text(beside("much.rad"), "!xform -a 2000 -t 1 0 0 nothing.rad\n");
   EXPECT_THAT(refusal("!xform -a 2000 -t 1 0 0 much.rad\n"), HasSubstr("includes over 200000 files"));
+  EXPECT_THAT(refusal("!xform -n " + std::string(1001, 'n') + " much.rad\n"), HasSubstr("over 1000 characters"));
 }
 
 TEST_F(Radiance, FilesThatAreNotThereAreNamedWithTheLine) {

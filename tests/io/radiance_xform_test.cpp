@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/error.h"
 #include "tests/io/refusal.h"
 
 namespace clerestory::io {
@@ -107,6 +108,21 @@ TEST(RadianceXform, WrongArgumentsAreRefused) {
   EXPECT_THAT(refusal("xform -a x a"), HasSubstr("'x' is no count"));
   EXPECT_THAT(refusal("xform -a 2000000 -t 1 0 0 a"), HasSubstr("more than 200000 copies"));
   EXPECT_THAT(refusal("xform -a 2000 -t 1 0 0 -a 2000 -t 0 1 0 a"), HasSubstr("more than 200000 copies"));
+}
+
+TEST(RadianceXform, ArraysTakeNoMoreMemoryThanTheirCopiesAreWorth) {
+  std::string files;
+  for (int i = 0; i < 1000; ++i) files += " a_rather_long_name_of_a_file.rad";
+  EXPECT_THAT(refusal("xform -a 100 -t 1 0 0 -a 100 -t 0 1 0" + files), HasSubstr("too long for the copies"));
+  EXPECT_THAT(refusal("xform -a 200000 -a 200000 -a 0 a"), HasSubstr("too long for the copies"));
+  std::string arrays;
+  for (int i = 0; i < 10000; ++i) arrays += " -a 1";
+  EXPECT_THAT(refusal("xform" + arrays + " a"), HasSubstr("over 16 arrays"));
+}
+
+TEST(RadianceXform, AFileOfArgumentsThatNamesItselfIsRefused) {
+  const auto lines = [](const std::string&) { return std::vector<std::string>{"-t 1 0 0 -f places.txt"}; };
+  EXPECT_THROW(parse_radiance_command("xform -f places.txt a", {"a.rad", 1}, lines), InputError);
 }
 
 }  // namespace
