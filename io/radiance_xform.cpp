@@ -20,8 +20,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr int kDeepestCommand = 16;  // arrays in arrays, and -f files that name -f files
-/// Words that a command may become when its arrays are written out [bytes]: some 1300 a copy for the most copies.
-constexpr std::size_t kMostWords = std::size_t{256} << 20;
+/// Words that a command may become when its arrays are written out [bytes]: some 500 a copy for the most copies.
+constexpr std::size_t kMostWords = std::size_t{96} << 20;
 /// Programs whose whole output is a sky: the study says which sky there is.
 constexpr std::array<std::string_view, 4> kSkyMakers{"gensky", "gendaylit", "genssky", "gencumulativesky"};
 
