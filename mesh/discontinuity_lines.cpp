@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/discontinuity_lines.h"
+
+#include "mesh/critical_surfaces.h"
+#include "mesh/critical_trace.h"
+#include "mesh/silhouettes.h"
+
+namespace clerestory::mesh {
+
+struct DiscontinuityFinder::Data {
+  Data(const Faces& faces, const DiscontinuityOptions& asked)
+      : options(asked), occluders(faces, asked.passable), tracer(faces, asked.passable, occluders) {}
+
+  [[nodiscard]] bool wanted(FaceSide side) const {
+    return options.receives.empty() || options.receives[side.index()] != 0;
+  }
+
+  DiscontinuityOptions options;
+  Occluders occluders;
+  WedgeTracer tracer;
+};
+
+DiscontinuityFinder::DiscontinuityFinder(const Faces& faces, const DiscontinuityOptions& options)
+    : data_(std::make_unique<Data>(faces, options)) {}
+DiscontinuityFinder::~DiscontinuityFinder() = default;
+DiscontinuityFinder::DiscontinuityFinder(DiscontinuityFinder&&) noexcept = default;
+DiscontinuityFinder& DiscontinuityFinder::operator=(DiscontinuityFinder&&) noexcept = default;
+
+FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t number) const {
+  FoundLines found;
+  std::vector<TracedPiece> pieces;
+  const auto follow = [&](const Wedge& wedge) {
+    ++found.critical_surfaces;
+    pieces.clear();
+    data_->tracer.trace(wedge, pieces);
+    for (const TracedPiece& p : pieces) {
+      if (!data_->wanted({p.face, p.side})) continue;
+      found.lines.push_back({p.face, p.side, p.far, wedge.order, wedge.no_sky, number, wedge.occluder});
+      if (wedge.no_sky) found.no_sky.push_back({p.near[0], p.near[1], p.far[1], p.far[0]});
+    }
+  };
+  found.stopped = !for_each_wedge(data_->occluders, source, {data_->options.most_critical_surfaces}, follow);
+  return found;
+}
+
+std::optional<std::array<Point, 2>> cut_by_plane(const NoSkySurface& surface, const Point& origin,
+                                                 const Vector& normal) {
+  std::array<Point, 2> ends;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < surface.size() && count < 2; ++k) {
+    const Point& p = surface[k];
+    const Point& q = surface[(k + 1) % surface.size()];
+    const double hp = dot(p - origin, normal);
+    const double hq = dot(q - origin, normal);
+    if ((hp > 0.0) != (hq > 0.0)) ends[count++] = p + (hp / (hp - hq)) * (q - p);
+  }
+  if (count < 2) return std::nullopt;
+  return ends;
+}
+
+}  // namespace clerestory::mesh
