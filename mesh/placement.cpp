@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mesh/box_tree.h"
+#include "mesh/disjoint_sets.h"
 
 namespace clerestory::mesh {
 
@@ -35,29 +35,19 @@ PartExtents extents_of_parts(const Soup& soup) {
   return parts;
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// The box around the connected group of parts with the most polygons; the first of equal ones.
 Box largest_group(const PartExtents& parts) {
-  std::vector<std::uint32_t> parent(parts.boxes.size());
-  std::iota(parent.begin(), parent.end(), 0U);
+  const std::size_t count = parts.boxes.size();
+  DisjointSets<std::uint32_t> joined(count);
   const BoxTree tree(parts.boxes);
-  for (std::uint32_t i = 0; i < parent.size(); ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     const Box near = grown(parts.boxes[i], kGroupGap);
-    tree.visit([&](const Box& box) { return overlap(near, box); },
-               [&](std::uint32_t other) {
-                 const std::uint32_t a = root_of(parent, i);
-                 const std::uint32_t b = root_of(parent, other);
-                 parent[std::max(a, b)] = std::min(a, b);
-               });
+    tree.visit([&](const Box& box) { return overlap(near, box); }, [&](std::uint32_t other) { joined.join(i, other); });
   }
-  std::vector<std::size_t> polygons(parent.size(), 0);
-  std::vector<Box> boxes(parent.size());
-  for (std::uint32_t i = 0; i < parent.size(); ++i) {
-    const std::uint32_t root = root_of(parent, i);
+  std::vector<std::size_t> polygons(count, 0);
+  std::vector<Box> boxes(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t root = joined.root(i);
     polygons[root] += parts.polygons[i];
     boxes[root].add(parts.boxes[i]);
   }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 
 #include "mesh/column_cuts.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/portals.h"
 
 namespace clerestory::mesh {
@@ -28,25 +28,6 @@ constexpr double kMostOfWall = 2.0 / 3.0;
 /// is a slit.
 constexpr float kCoreClearance = 0.2F;
 constexpr double kSlitDepth = 1.0;
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), CellId{0}); }
-  CellId root(CellId c) {
-    auto& p = parent_;
-    while (p[index(c)] != c) c = p[index(c)] = p[index(p[index(c)])];
-    return c;
-  }
-  void join(CellId a, CellId b) {
-    a = root(a);
-    b = root(b);
-    parent_[index(std::max(a, b))] = std::min(a, b);
-  }
-
- private:
-  static std::size_t index(CellId c) { return static_cast<std::size_t>(c); }
-  std::vector<CellId> parent_;
-};
 
 /// Cells of the divided columns: what was cut off below gets cells of its own, one for each that it was cut from.
 RoomCells carried_over(const RoomCells& cells, const Columns& cut, const std::vector<std::uint32_t>& old_span) {
@@ -112,7 +93,7 @@ Passages passages_of(const std::vector<Portal>& portals, const std::vector<Figur
 }
 
 void join_through(CellId passage, const std::vector<Doorway>& doorways, const std::vector<Figures>& figures,
-                  UnionFind& joined) {
+                  DisjointSets<CellId>& joined) {
   const auto of = [&](CellId c) -> const Figures& { return figures[static_cast<std::size_t>(c)]; };
   for (const Doorway& one : doorways) {
     for (const Doorway& other : doorways) {
@@ -134,7 +115,7 @@ void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
   const auto figures = figures_of(columns, cells);
   const auto portals = find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count));
   const auto is_room = [&](CellId c) { return figures[static_cast<std::size_t>(c)].is_room(); };
-  UnionFind joined(cells.count);
+  DisjointSets<CellId> joined(cells.count);
   for (const Portal& p : portals) {
     // Without a passage between them there is no lintel: one ceiling is just higher than the other.
     if (is_room(p.a) && is_room(p.b) && p.width_m >= kWideOpening) joined.join(p.a, p.b);

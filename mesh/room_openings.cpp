@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "mesh/disjoint_sets.h"
 #include "mesh/portals.h"
 #include "mesh/regions.h"
 
@@ -22,8 +22,7 @@ constexpr double kLeastHole = 0.03;
 class Remainder {
  public:
   Remainder(const Columns& columns, const std::vector<CellId>& room_of_span, std::size_t room_count)
-      : columns_(columns), room_of_span_(room_of_span), parent_(columns.spans.size() + 1) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+      : columns_(columns), room_of_span_(room_of_span), joined_(columns.spans.size() + 1) {
     join_all();
     number_from(room_count);
   }
@@ -35,19 +34,14 @@ class Remainder {
  private:
   [[nodiscard]] std::uint32_t outside() const { return static_cast<std::uint32_t>(columns_.spans.size()); }
 
-  std::uint32_t root(std::uint32_t s) {
-    while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
-    return s;
-  }
-  void join(std::uint32_t s, std::uint32_t t) { parent_[root(s)] = root(t); }
-
   void join_columns(std::uint32_t c, std::uint32_t d) {
     const auto [c0, c1] = columns_.of(c);
     const auto [d0, d1] = columns_.of(d);
     for (std::uint32_t s = c0; s < c1; ++s) {
       if (room_of_span_[s] != kNoCell) continue;
       for (std::uint32_t t = d0; t < d1; ++t) {
-        if (room_of_span_[t] == kNoCell && overlap_m(columns_.spans[s], columns_.spans[t]) >= kLeastOverlap) join(s, t);
+        if (room_of_span_[t] == kNoCell && overlap_m(columns_.spans[s], columns_.spans[t]) >= kLeastOverlap)
+          joined_.join(s, t);
       }
     }
   }
@@ -60,8 +54,8 @@ class Remainder {
       const std::uint32_t i = raster.i(span.column);
       const std::uint32_t j = raster.j(span.column);
       const bool at_border = i == 0 || j == 0 || i + 1 == raster.nx || j + 1 == raster.ny;
-      if (!span.roofed() || at_border) join(s, outside());
-      if (span.cut && room_of_span_[s + 1] == kNoCell) join(s, s + 1);
+      if (!span.roofed() || at_border) joined_.join(s, outside());
+      if (span.cut && room_of_span_[s + 1] == kNoCell) joined_.join(s, s + 1);
     }
     for (std::uint32_t c = 0; c < raster.count(); ++c) {
       if (raster.i(c) + 1 < raster.nx) join_columns(c, c + 1);
@@ -72,13 +66,13 @@ class Remainder {
   void number_from(std::size_t room_count) {
     std::map<std::uint32_t, CellId> number;
     count_ = static_cast<CellId>(room_count);
-    number[root(outside())] = count_++;
+    number[joined_.root(outside())] = count_++;
     for (std::uint32_t s = 0; s < columns_.spans.size(); ++s) {
       if (room_of_span_[s] != kNoCell) {
         numbers_.push_back(room_of_span_[s]);
         continue;
       }
-      const auto [entry, added] = number.try_emplace(root(s), count_);
+      const auto [entry, added] = number.try_emplace(joined_.root(s), count_);
       if (added) ++count_;
       numbers_.push_back(entry->second);
     }
@@ -86,7 +80,7 @@ class Remainder {
 
   const Columns& columns_;
   const std::vector<CellId>& room_of_span_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets<std::uint32_t> joined_;
   std::vector<CellId> numbers_;
   CellId count_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/disjoint_sets.h"
 #include "mesh/planar.h"
 #include "mesh/soup.h"
 #include "mesh/triangulate.h"
@@ -232,22 +233,17 @@ Solid outward(Solid solid) {
 }
 
 std::vector<Solid> connected_pieces(const Solid& solid) {
-  std::vector<std::uint32_t> root(solid.points.size());
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  DisjointSets<std::uint32_t> joined(solid.points.size());
   for (const auto& [a, b, c] : solid.triangles) {
-    root[find(b)] = find(a);
-    root[find(c)] = find(a);
+    joined.join(a, b);
+    joined.join(a, c);
   }
   std::map<std::uint32_t, std::size_t> piece_of;
   std::vector<Solid> pieces;
   std::vector<std::uint32_t> new_index(solid.points.size(), 0);
   std::vector<bool> placed(solid.points.size(), false);
   for (const auto& corners : solid.triangles) {
-    const auto [at, is_new] = piece_of.emplace(find(corners[0]), pieces.size());
+    const auto [at, is_new] = piece_of.emplace(joined.root(corners[0]), pieces.size());
     if (is_new) pieces.emplace_back();
     Solid& piece = pieces[at->second];
     std::array<std::uint32_t, 3> own{};

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "mesh/box_tree.h"
+#include "mesh/disjoint_sets.h"
 
 namespace clerestory::mesh {
 
@@ -26,24 +26,15 @@ struct Component {
 };
 
 std::vector<Component> components_of(const Soup& soup) {
-  std::vector<std::uint32_t> parent(soup.points.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets<std::uint32_t> joined(soup.points.size());
   for (const SoupPolygon& polygon : soup.polygons) {
     const std::uint32_t first = polygon.loops[0][0];
-    for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t) {
-      const std::uint32_t x = root(first);
-      const std::uint32_t y = root(a);
-      parent[std::max(x, y)] = std::min(x, y);
-    });
+    for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t) { joined.join(first, a); });
   }
   std::vector<std::uint32_t> number(soup.points.size(), 0);  // of a root's component, counted from 1
   std::vector<Component> components;
   for (std::uint32_t p = 0; p < soup.polygons.size(); ++p) {
-    std::uint32_t& n = number[root(soup.polygons[p].loops[0][0])];
+    std::uint32_t& n = number[joined.root(soup.polygons[p].loops[0][0])];
     if (n == 0) {
       components.emplace_back();
       n = static_cast<std::uint32_t>(components.size());
