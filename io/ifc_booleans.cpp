@@ -50,11 +50,6 @@ mesh::Solid box_over(const mesh::Affine& plane, const mesh::Vector& into, const 
   return mesh::prism({&loop, 1}, (w.high + kBeyond) * into);
 }
 
-bool overlap(const mesh::Box& a, const mesh::Box& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
-         b.low.z < a.high.z;
-}
-
 }  // namespace
 
 mesh::Solid IfcShapes::boolean(const IfcBooleanResult& result, int depth) {
@@ -66,11 +61,11 @@ mesh::Solid IfcShapes::boolean(const IfcBooleanResult& result, int depth) {
   std::optional<mesh::Solid> answer;
   switch (result.m_Operator->m_enum) {
     case IfcBooleanOperator::ENUM_DIFFERENCE:
-      if (tool.empty() || !overlap(mesh::box_of(body), mesh::box_of(tool))) return body;
+      if (tool.empty() || !mesh::interiors_overlap(mesh::box_of(body), mesh::box_of(tool))) return body;
       answer = mesh::is_closed(body) ? mesh::difference(body, tool) : mesh::clipped(body, tool);
       break;
     case IfcBooleanOperator::ENUM_INTERSECTION:
-      if (tool.empty() || !overlap(mesh::box_of(body), mesh::box_of(tool))) return {};
+      if (tool.empty() || !mesh::interiors_overlap(mesh::box_of(body), mesh::box_of(tool))) return {};
       answer = mesh::intersection(body, tool);
       break;
     case IfcBooleanOperator::ENUM_UNION:

@@ -38,11 +38,6 @@ Range range_of(const mesh::Solid& body, const mesh::Vector& along) {
   return range;
 }
 
-bool overlap(const mesh::Box& a, const mesh::Box& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
-         b.low.z < a.high.z;
-}
-
 /// The directions in which an opening may end: the element's axes, and the normals of the opening's own faces, each once.
 std::vector<mesh::Vector> directions_of(const mesh::Solid& tool) {
   constexpr std::size_t kMost = 16;  // round openings have many faces, and their ends are among the axes
@@ -121,7 +116,7 @@ class Cutter {
       mesh::append(all, tools.back());
     }
     for (IfcItem& item : element.items) {
-      if (!overlap(mesh::box_of(item.body), mesh::box_of(all))) continue;
+      if (!mesh::interiors_overlap(mesh::box_of(item.body), mesh::box_of(all))) continue;
       IfcCut made{e, o, {}, way_through(all, item.body), false};
       if (made.way) opening.through = inverse(to_element).turn(*made.way);
       const mesh::Solid uncut = item.body;
@@ -139,7 +134,7 @@ class Cutter {
 
   /// What is left; nothing where exact arithmetic cannot tell, or tells what cannot be.
   static std::optional<mesh::Solid> remainder(const mesh::Solid& body, const mesh::Solid& tool) {
-    if (body.empty() || !overlap(mesh::box_of(body), mesh::box_of(tool))) return body;
+    if (body.empty() || !mesh::interiors_overlap(mesh::box_of(body), mesh::box_of(tool))) return body;
     if (!mesh::is_closed(body)) return mesh::clipped(body, tool);
     auto left = mesh::difference(body, tool);
     const auto taken = left ? mesh::intersection(body, tool) : std::nullopt;

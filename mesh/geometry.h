@@ -89,4 +89,11 @@ struct Box {
   }
 };
 
+/// Whether one box reaches into the other: those that only touch do not. A flat box reaches into what it divides, but not into what
+/// has a face in its plane.
+constexpr bool interiors_overlap(const Box& a, const Box& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
+         b.low.z < a.high.z;
+}
+
 }  // namespace clerestory::mesh

@@ -34,11 +34,6 @@ double least_over(const Plane& plane, const Box& box) {
   return side_of(plane, p);
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
-         b.low.z < a.high.z;
-}
-
 /// Grown by a hair, so that flat boxes overlap what they lie in.
 Box grown(Box box) {
   const Vector hair{kTouch, kTouch, kTouch};
@@ -122,7 +117,7 @@ struct Shafts::Shaft {
   }
 
   [[nodiscard]] bool misses(const Box& other) const {
-    if (!overlap(box, other)) return true;
+    if (!interiors_overlap(box, other)) return true;
     return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(count),
                        [&](const Plane& p) { return least_over(p, other) >= -kTouch; });
   }
