@@ -13,6 +13,7 @@
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/point_light.h"
+#include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "lighting/seen_surfaces.h"
 #include "mesh/hash.h"
@@ -384,12 +385,9 @@ double NodeSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t
       means[b] += weight * kBatches * (collector.sky_lux + collector.guess_lux);
     }
   }
-  double mean = 0.0;
-  for (const double m : means) mean += m / kBatches;
-  double square = 0.0;
-  for (const double m : means) square += (m - mean) * (m - mean);
-  result.total += mean;
-  return square / (kBatches * (kBatches - 1.0));
+  const ReplicateMean lux = mean_of_replicates(means);
+  result.total += lux.mean;
+  return lux.variance;
 }
 
 double NodeSampler::point_source_mean(ElementId e) const {

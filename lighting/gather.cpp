@@ -12,6 +12,7 @@
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/point_light.h"
+#include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -56,22 +57,17 @@ struct Part {
   Replicates sums{};
   Replicates norms{};  ///< what the sums are shares of
 
-  [[nodiscard]] double value(std::size_t r) const { return norms[r] > 0.0 ? sums[r] / norms[r] : 0.0; }
-  [[nodiscard]] double mean() const {
-    double sum = 0.0;
-    for (std::size_t r = 0; r < kReplicates; ++r) sum += value(r);
-    return sum / kReplicates;
+  [[nodiscard]] ReplicateMean estimate() const {
+    Replicates values{};
+    for (std::size_t r = 0; r < kReplicates; ++r) values[r] = norms[r] > 0.0 ? sums[r] / norms[r] : 0.0;
+    return mean_of_replicates(values);
   }
+  [[nodiscard]] double mean() const { return estimate().mean; }
+  /// Of the mean.
+  [[nodiscard]] double variance() const { return estimate().variance; }
   /// Replicates that have met light.
   [[nodiscard]] std::size_t lit() const {
     return static_cast<std::size_t>(std::count_if(sums.begin(), sums.end(), [](double s) { return s > 0.0; }));
-  }
-  /// Of the mean.
-  [[nodiscard]] double variance() const {
-    const double m = mean();
-    double square = 0.0;
-    for (std::size_t r = 0; r < kReplicates; ++r) square += (value(r) - m) * (value(r) - m);
-    return square / (kReplicates * (kReplicates - 1.0));
   }
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/hemisphere_links.h"
 
-#include <cmath>
+#include <array>
 #include <numbers>
 
 #include "lighting/light_paths.h"
+#include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -57,19 +58,15 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
 }
 
 HemisphereView::Estimate HemisphereView::estimate(const Solution& solution) const {
-  Estimate result;
-  double square = 0.0;
+  std::array<double, kSets> lux{};
   for (std::size_t set = 0; set < kSets; ++set) {
-    double lux = 0.0;
     for (std::size_t i = starts[set]; i < starts[set + 1]; ++i) {
       const ElementId e = solution.element_at(seen[i].node, seen[i].at);
-      if (e.valid()) lux += kSets * static_cast<double>(seen[i].factor) * solution.radiosity_mean(e);
+      if (e.valid()) lux[set] += kSets * static_cast<double>(seen[i].factor) * solution.radiosity_mean(e);
     }
-    result.mean_lux += lux / kSets;
-    square += lux * lux / kSets;
   }
-  result.error_lux = std::sqrt(std::max(0.0, square - result.mean_lux * result.mean_lux) / (kSets - 1.0));
-  return result;
+  const ReplicateMean all = mean_of_replicates(lux);
+  return {all.mean, all.standard_error()};
 }
 
 }  // namespace clerestory::lighting

@@ -9,6 +9,7 @@
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/parallel.h"
+#include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "lighting/seen_surfaces.h"
 #include "mesh/hash.h"
@@ -93,7 +94,7 @@ class Follower {
       }
       lux[set] = kSets * (result.sky_lux - sky_before + illuminance(std::span(result.seen).subspan(first)));
     }
-    result.noise_lux = standard_error(lux);
+    result.noise_lux = mean_of_replicates(lux).standard_error();
     // The link knows the pane's form factor better than these rays do.
     if (!cluster && result.factor > 0.0) result.scale(link.factor / result.factor);
     return result;
@@ -120,15 +121,6 @@ class Follower {
       if (e.valid()) lux += static_cast<double>(one.factor) * solution_.radiosity_mean(e);
     }
     return lux;
-  }
-
-  /// Of the mean of independent values.
-  static double standard_error(const std::array<double, kSets>& values) {
-    double mean = 0.0;
-    for (const double v : values) mean += v / kSets;
-    double square = 0.0;
-    for (const double v : values) square += (v - mean) * (v - mean);
-    return std::sqrt(square / (kSets * (kSets - 1.0)));
   }
 
   /// By solid angle, so that panes next to the receiver make no outliers.
