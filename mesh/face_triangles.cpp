@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unordered_map>
-#include <utility>
-
 #include "mesh/face_drafts.h"
+#include "mesh/flat_graph.h"
 #include "mesh/triangulate.h"
 
 namespace clerestory::mesh {
@@ -13,28 +11,12 @@ constexpr double kSliverOverTolerance = 0.1;
 }  // namespace
 
 double triangulate_face(FaceDrafts& drafts, const FaceDraft& face, std::vector<Triangle>& triangles) {
-  PlanarGraph graph;
-  std::vector<std::uint32_t> vertices;
-  std::unordered_map<std::uint32_t, std::uint32_t> index;
-  const auto local = [&](std::uint32_t vertex) {
-    const auto [place, fresh] = index.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
-    if (fresh) {
-      vertices.push_back(vertex);
-      graph.points.push_back(face.plane.project(drafts.vertices[vertex]));
-    }
-    return place->second;
-  };
+  FlatGraph flat(drafts.vertices.points(), face.plane);
   std::vector<DirectedEdge> boundary;
-  for (const auto& [a, b] : face.boundary) {
-    const std::uint32_t from = local(a);
-    boundary.push_back({from, local(b)});
-  }
-  graph.segments.assign(boundary.begin(), boundary.end());
-  for (const auto& [a, b] : face.lines) {
-    const std::uint32_t from = local(a);
-    graph.segments.push_back({from, local(b)});
-  }
-  const PlanarMesh mesh = triangulate_inside(std::move(graph), boundary, kSliverOverTolerance * drafts.tolerance);
+  for (const auto& [a, b] : face.boundary) boundary.push_back(flat.add(a, b));
+  for (const auto& [a, b] : face.lines) flat.add(a, b);
+  const PlanarMesh mesh = triangulate_inside(flat.graph(), boundary, kSliverOverTolerance * drafts.tolerance);
+  std::vector<std::uint32_t> vertices = flat.vertices();
   for (std::size_t i = vertices.size(); i < mesh.points.size(); ++i) {
     vertices.push_back(drafts.vertices.append(face.plane.lift(mesh.points[i])));
   }

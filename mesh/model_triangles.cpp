@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/model_triangles.h"
 
-#include <unordered_map>
-
+#include "mesh/flat_graph.h"
 #include "mesh/soup.h"
 #include "mesh/triangulate.h"
 
@@ -20,23 +19,10 @@ void cut(const SoupPolygon& polygon, Model& result) {
   const auto plane = plane_of(result.vertices, polygon, 0.0);
   if (!plane) return;
   const PlaneCoordinates coordinates{plane->origin, frame_around(plane->normal)};
-  PlanarGraph graph;
-  std::vector<std::uint32_t> vertices;
-  std::unordered_map<std::uint32_t, std::uint32_t> index;
-  const auto number = [&](std::uint32_t vertex) {
-    const auto [place, fresh] = index.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
-    if (fresh) {
-      vertices.push_back(vertex);
-      graph.points.push_back(coordinates.project(result.vertices[vertex]));
-    }
-    return place->second;
-  };
-  for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t from = number(a);
-    graph.segments.push_back({from, number(b)});
-  });
-  const std::vector<std::array<std::uint32_t, 2>> boundary = graph.segments;
-  const PlanarMesh mesh = triangulate_inside(std::move(graph), boundary, 0.0);
+  FlatGraph flat(result.vertices, coordinates);
+  for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) { flat.add(a, b); });
+  const PlanarMesh mesh = triangulate_inside(flat.graph(), flat.graph().segments, 0.0);
+  std::vector<std::uint32_t> vertices = flat.vertices();
   for (std::size_t added = vertices.size(); added < mesh.points.size(); ++added) {
     vertices.push_back(static_cast<std::uint32_t>(result.vertices.size()));
     result.vertices.push_back(coordinates.lift(mesh.points[added]));

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
+#include "mesh/flat_graph.h"
 #include "mesh/triangulate.h"
 
 namespace clerestory::mesh {
@@ -70,41 +70,17 @@ std::optional<double> warp_of(const Soup& soup, const SoupPolygon& polygon, doub
   return largest;
 }
 
-/// The corners of a polygon in its plane, with the vertex that each is.
-struct FlatPolygon {
-  PlanarGraph graph;
-  std::vector<std::uint32_t> vertices;
-};
-
-FlatPolygon flatten(const Soup& soup, const SoupPolygon& polygon, const Plane& plane) {
-  const PlaneCoordinates coordinates{plane.origin, frame_around(plane.normal)};
-  FlatPolygon flat;
-  std::map<std::uint32_t, std::uint32_t> index;
-  const auto number = [&](std::uint32_t vertex) {
-    const auto [place, fresh] = index.try_emplace(vertex, static_cast<std::uint32_t>(flat.vertices.size()));
-    if (fresh) {
-      flat.vertices.push_back(vertex);
-      flat.graph.points.push_back(coordinates.project(soup.points[vertex]));
-    }
-    return place->second;
-  };
-  for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t first = number(a);
-    flat.graph.segments.push_back({first, number(b)});
-  });
-  return flat;
-}
-
 /// The polygon's triangles; none where its sides cross in the plane, so that they would need a vertex more.
 std::vector<SoupPolygon> triangles_of(const Soup& soup, const SoupPolygon& polygon, const Plane& plane) {
-  const FlatPolygon flat = flatten(soup, polygon, plane);
-  const PlanarMesh mesh = triangulate_inside(flat.graph, flat.graph.segments, 0.0);
+  FlatGraph flat(soup.points, {plane.origin, frame_around(plane.normal)});
+  for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) { flat.add(a, b); });
+  const PlanarMesh mesh = triangulate_inside(flat.graph(), flat.graph().segments, 0.0);
+  const std::vector<std::uint32_t>& vertices = flat.vertices();
   std::vector<SoupPolygon> triangles;
-  if (mesh.points.size() != flat.vertices.size()) return triangles;
+  if (mesh.points.size() != vertices.size()) return triangles;
   for (const PlanarTriangle& t : mesh.triangles) {
     SoupPolygon triangle;
-    triangle.loops.push_back(
-        {flat.vertices[t.vertices[0]], flat.vertices[t.vertices[1]], flat.vertices[t.vertices[2]]});
+    triangle.loops.push_back({vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]});
     triangle.material = polygon.material;
     triangle.part = polygon.part;
     triangle.source = polygon.source;

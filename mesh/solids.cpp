@@ -109,7 +109,7 @@ FilledFace fill(std::span<const Loop> loops, const PlaneCoordinates& plane) {
     }
   }
   graph.segments = face.rim;
-  PlanarMesh filled = triangulate_inside(std::move(graph), face.rim, kNoWidth);
+  const PlanarMesh filled = triangulate_inside(graph, face.rim, kNoWidth);
   for (const Point2& p : filled.points) {
     const auto place = places.find(p);
     face.points.push_back(place != places.end() ? place->second : plane.lift(p));

@@ -38,7 +38,7 @@ PlanarMesh triangulate(const PlanarGraph& graph);
 /// wind round, and without those that are no wider than a tolerance, which rounding of points along a line leaves.
 /// @param boundary   directed segments between points of the graph, closed; they are segments of the graph too
 /// @param min_width  [m]
-PlanarMesh triangulate_inside(PlanarGraph graph, std::span<const std::array<std::uint32_t, 2>> boundary,
+PlanarMesh triangulate_inside(const PlanarGraph& graph, std::span<const std::array<std::uint32_t, 2>> boundary,
                               double min_width);
 
 }  // namespace clerestory::mesh

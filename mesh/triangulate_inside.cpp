@@ -32,7 +32,7 @@ std::vector<Widest> widest_triangles(const PlanarMesh& mesh) {
 
 }  // namespace
 
-PlanarMesh triangulate_inside(PlanarGraph graph, std::span<const std::array<std::uint32_t, 2>> boundary,
+PlanarMesh triangulate_inside(const PlanarGraph& graph, std::span<const std::array<std::uint32_t, 2>> boundary,
                               double min_width) {
   constexpr std::uint32_t kOutside = std::numeric_limits<std::uint32_t>::max();
   std::vector<PlanarOutline::Segment> segments;
