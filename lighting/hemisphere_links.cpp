@@ -3,6 +3,7 @@
 
 #include <array>
 #include <numbers>
+#include <span>
 
 #include "lighting/light_paths.h"
 #include "lighting/replicates.h"
@@ -60,10 +61,8 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
 HemisphereView::Estimate HemisphereView::estimate(const Solution& solution) const {
   std::array<double, kSets> lux{};
   for (std::size_t set = 0; set < kSets; ++set) {
-    for (std::size_t i = starts[set]; i < starts[set + 1]; ++i) {
-      const ElementId e = solution.element_at(seen[i].node, seen[i].at);
-      if (e.valid()) lux[set] += kSets * static_cast<double>(seen[i].factor) * solution.radiosity_mean(e);
-    }
+    const auto own = std::span(seen).subspan(starts[set], starts[set + 1] - starts[set]);
+    lux[set] = kSets * illuminance_by(solution, own);
   }
   const ReplicateMean all = mean_of_replicates(lux);
   return {all.mean, all.standard_error()};

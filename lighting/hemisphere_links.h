@@ -15,8 +15,8 @@ namespace clerestory::lighting {
 /// method: Maxwell, Bailey, Goldschmidt 1986; Wallace, Elmquist, Haines 1989]. For nodes that hardly matter this costs what their light
 /// distribution needs, whatever the number of surfaces around.
 struct HemisphereView {
-  std::vector<SeenSurface>
-      seen;  ///< surfaces that shine by themselves left out, but in panes: they have links of their own
+  /// Surfaces that shine by themselves are left out, but in panes: they have links of their own.
+  std::vector<SeenSurface> seen;
   double mirrored_sky_lux = 0.0;  ///< sky seen in panes
   std::uint32_t rays = 0;
 

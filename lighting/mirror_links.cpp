@@ -48,8 +48,8 @@ struct Reflections {
 struct Collector {
   const Solution* solution;
   Reflections* into;
-  double
-      factor;  ///< of the ray; weights are shares of it, so that small elements' rays are not dropped for their smallness
+  /// Of the ray; weights are shares of it, so that small elements' rays are not dropped for their smallness.
+  double factor;
 
   void surface(const SurfacePoint& point, float weight, bool) {
     into->seen.push_back(seen_surface(*solution, point, static_cast<float>(factor) * weight));
@@ -92,7 +92,8 @@ class Follower {
         const Aim aim = cluster ? at_cluster(link, numbers, i) : at_element(link, pane, numbers, i);
         if (aim.factor > 0.0) reflect(aim, aim.factor / rays, result);
       }
-      lux[set] = kSets * (result.sky_lux - sky_before + illuminance(std::span(result.seen).subspan(first)));
+      lux[set] =
+          kSets * (result.sky_lux - sky_before + illuminance_by(solution_, std::span(result.seen).subspan(first)));
     }
     result.noise_lux = mean_of_replicates(lux).standard_error();
     // The link knows the pane's form factor better than these rays do.
@@ -111,16 +112,6 @@ class Follower {
     std::uint32_t rays = link.rough ? kFewRays : kRays;
     while (rays < wanted && rays < kMostRays) rays *= 2;
     return rays;
-  }
-
-  /// By the radiosities of the solution as it stands.
-  [[nodiscard]] double illuminance(std::span<const SeenSurface> seen) const {
-    double lux = 0.0;
-    for (const SeenSurface& one : seen) {
-      const ElementId e = solution_.element_at(one.node, one.at);
-      if (e.valid()) lux += static_cast<double>(one.factor) * solution_.radiosity_mean(e);
-    }
-    return lux;
   }
 
   /// By solid angle, so that panes next to the receiver make no outliers.

@@ -42,6 +42,15 @@ Link link_of(const mesh::ElementTree& tree, std::span<const End> ends) {
 
 }  // namespace
 
+double illuminance_by(const Solution& solution, std::span<const SeenSurface> seen) {
+  double lux = 0.0;
+  for (const SeenSurface& one : seen) {
+    const ElementId e = solution.element_at(one.node, one.at);
+    if (e.valid()) lux += static_cast<double>(one.factor) * solution.radiosity_mean(e);
+  }
+  return lux;
+}
+
 std::vector<Link> links_to_seen(const Solution& solution, ElementId receiver, std::span<const SeenSurface> seen,
                                 const LinearValue& slope) {
   const mesh::ElementTree& tree = solution.tree();

@@ -12,8 +12,8 @@ namespace clerestory::lighting {
 
 /// A surface that a ray from a receiver ends on, with the form factor that the ray stands for.
 struct SeenSurface {
-  mesh::ElementId
-      node;  ///< the deepest that held the place when the ray was traced; invalid where the surface has no elements
+  /// The deepest that held the place when the ray was traced; invalid where the surface has no elements.
+  mesh::ElementId node;
   mesh::Point at;
   float factor = 0.0F;
 };
@@ -21,6 +21,9 @@ struct SeenSurface {
 inline SeenSurface seen_surface(const Solution& solution, const SurfacePoint& point, float factor) {
   return {solution.tree().find(point.side, point.region, point.at), point.at, factor};
 }
+
+/// The illuminance of the receiver by what its rays end on, as the radiosities of a solution stand [lux].
+double illuminance_by(const Solution& solution, std::span<const SeenSurface> seen);
 
 /// Links of one receiver to what its rays end on, one a source element, in the order of their ids. Where on the source the rays
 /// end, makes the link follow the line of its radiosity.

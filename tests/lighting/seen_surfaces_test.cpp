@@ -114,6 +114,34 @@ TEST(LinksToSeen, KeepTheReceiverItsSlopeAndTheSumOfFactors) {
   EXPECT_TRUE(link.by_rays);
 }
 
+TEST(SeenSurfaces, ARayBringsTheMeanRadiosityOfThePartThatItEndsOn) {
+  Facing facing;
+  const ElementId lower = facing.root("lower");
+  const auto rays = facing.seen(1, 1.0);
+  facing.solution.open(lower);
+  facing.shade();
+  const ElementId part = facing.solution.element_at(rays[0].node, rays[0].at);
+  EXPECT_EQ(facing.solution.tree().parent(part), lower);
+  EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays),
+                   static_cast<double>(rays[0].factor) * facing.solution.radiosity_mean(part));
+}
+
+TEST(SeenSurfaces, RaysAddUp) {
+  const Facing facing;
+  const auto rays = facing.seen(20, 1.0);
+  double factors = 0.0;
+  for (const SeenSurface& ray : rays) factors += ray.factor;
+  EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays),
+                   factors * facing.solution.radiosity_mean(facing.root("lower")));
+}
+
+TEST(SeenSurfaces, WithoutElementsGiveNothing) {
+  const Facing facing;
+  auto rays = facing.seen(10, 1.0);
+  for (SeenSurface& ray : rays) ray.node = {};
+  EXPECT_EQ(illuminance_by(facing.solution, rays), 0.0);
+}
+
 TEST(LinksToSeen, NothingSeenGivesNoLink) {
   const Facing facing;
   EXPECT_TRUE(links_to_seen(facing.solution, facing.root("upper"), {}, {}).empty());
