@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/io/outcome.h"
 #include "tests/io/refusal.h"
 #include "tests/support/places.h"
 #include "tests/support/scratch_folder.h"
@@ -162,14 +163,8 @@ TEST_F(Collada, ADocumentIsKnownByItsRoot) {
   EXPECT_FALSE(is_collada("<?xml version=\"1.0\"?>\n<sdf>"));
 }
 
-/// "12 faces, 24 vertices, 1 parts, 1 materials" or the refusal without its folder.
 std::string outcome(const fs::path& file) {
-  const std::string refusal = refusal_of([&] { read_collada(file); });
-  if (refusal != "accepted") return refusal.substr(file.parent_path().string().size() + 1);
-  const mesh::Model model = read_collada(file).model;
-  return std::to_string(model.polygon_count()) + " faces, " + std::to_string(model.vertices.size()) + " vertices, " +
-         std::to_string(model.part_names.size()) + " parts, " + std::to_string(model.material_names.size()) +
-         " materials";
+  return test::outcome_of(file, [](const fs::path& f) { return read_collada(f); });
 }
 
 mesh::Vector size_of(const ModelFile& file) {
