@@ -20,6 +20,8 @@ HEAVY = {
     "CGAL": (r"CGAL/", "mesh"),
     "Embree": (r"embree3/", "mesh"),
     "TBB": (r"(oneapi/)?tbb(/|\.h)", "lighting"),
+    "assimp": (r"assimp/", "io"),
+    "IfcPlusPlus": (r"ifcpp/|Ifc\w+\.h", "io"),
     "VTK": (r"vtk\w*\.h", "io"),
     "toml++": (r"toml(\+\+|plusplus)|toml\.hpp", "io"),
     "nlohmann": (r"nlohmann/", "io"),
@@ -28,6 +30,13 @@ HEAVY = {
 
 # Private headers, included from .cpp files of their own folder and its tests alone, that may name a heavy library.
 PRIVATE_HEADERS = {
+    "io/assimp_import.h",  # the steps of one import hand on the importer's own scene
+    "io/assimp_materials.h",
+    "io/assimp_model.h",
+    "io/ifc_entities.h",  # likewise the parser's entities
+    "io/ifc_quantities.h",
+    "io/ifc_shapes.h",
+    "io/ifc_styles.h",
     "io/report_json.h",  # what summary, inspect and clean say in the same words
     "lighting/parallel.h",  # the one door to threads
 }
