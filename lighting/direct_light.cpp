@@ -1,417 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/direct_light.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <utility>
 
-#include "lighting/light_paths.h"
-#include "lighting/linear_fit.h"
-#include "lighting/opening_sampler.h"
-#include "lighting/openings.h"
+#include "lighting/direct_sampler.h"
 #include "lighting/parallel.h"
-#include "lighting/point_light.h"
-#include "lighting/replicates.h"
-#include "lighting/sampling.h"
-#include "lighting/seen_surfaces.h"
-#include "mesh/hash.h"
 
 namespace clerestory::lighting {
 
 using mesh::ElementId;
-using mesh::FaceSide;
-using mesh::Point;
-using mesh::Vector;
 
 namespace {
 
-constexpr std::uint32_t kPoints = 8;      ///< places on a node, to see how light changes over it
-constexpr std::uint32_t kDirections = 8;  ///< from each place towards each opening, and into the open hemisphere
-/// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
-/// direction of its own, stratified in all four dimensions.
-constexpr std::uint32_t kProbes = 256;
-constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
-constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
-constexpr std::uint32_t kMostRays = 512;
-constexpr double kSmallest = 0.02;          ///< nodes of a smaller radius are not opened [m]
-constexpr double kBrightest = 9.0 / 7.0;    ///< zenith of the overcast sky, against a sky of its mean luminance
-constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
-constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
+constexpr double kSmallest = 0.02;  ///< nodes of a smaller radius are not opened [m]
 
-/// Stands for the sky seen through no opening, where an opening's number is asked for.
-constexpr std::int32_t kOpenSky = -1;
-
-struct Candidate {
-  ElementId node;
-  std::vector<std::uint32_t> openings;  ///< those that may be seen
-  std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
-  bool open_sky = true;                 ///< may see the sky by no opening
-};
-
-/// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
-/// is left to measure().
-struct Survey {
-  LinearFit fit;          ///< of sky, point sources and the guess of what lies beyond openings
-  double received = 0.0;  ///< sky and point sources alone, mean [lux]
-  double total = 0.0;     ///< with the guess of what is beyond
-  Candidate below;        ///< what the node, or its children, need to look at
-};
-
-/// What a node receives on the mean, with independent places and directions.
-struct Measurement {
-  double received = 0.0;  ///< [lux]
-  double total = 0.0;
-  double noise = 0.0;  ///< standard error of total [lux]
-  std::vector<SeenSurface> beyond;
-};
-
-/// Adds up what rays from a node end on.
-struct Collector {
-  const Solution* solution;
-  bool surfaces_count = false;
-  std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
-  double sky_lux = 0.0;
-  double guess_lux = 0.0;
-
-  void surface(const SurfacePoint& seen, float weight, bool) {
-    if (!surfaces_count) return;
-    if (beyond != nullptr) beyond->push_back(seen_surface(*solution, seen, weight));
-    const Scene& scene = solution->scene();
-    const float rho = luminance(scene.side_reflectance(seen.side), scene.channel_weights);
-    const float own = luminance(scene.side_exitance(seen.side), scene.channel_weights);
-    guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.horizontal_illuminance_lux);
+/// The roots, each of which may see everything.
+std::vector<DirectCandidate> roots_of(const Solution& solution) {
+  DirectCandidate all;
+  for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) all.openings.push_back(k);
+  std::vector<DirectCandidate> roots;
+  for (const ElementId root : solution.tree().roots()) {
+    all.node = root;
+    roots.push_back(all);
   }
-  void sky(const Vector& direction, float weight, bool) {
-    sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
-  }
-};
-
-/// What a node sees of the sky in panes comes by links that follow the mirrors; what it sees through an opening, mirrors
-/// outdoors included, by the opening's rays.
-PathRule rule_of(std::int32_t opening) {
-  if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
-  return {PathRule::Part::kOpening, opening, true};
+  return roots;
 }
 
-/// The place of an opening that belongs to (a, b) in the unit square, about uniform by area.
-Point point_of(const Opening& opening, double a, double b) {
-  const double n = a * static_cast<double>(opening.triangles.size());
-  const auto i = std::min(static_cast<std::size_t>(n), opening.triangles.size() - 1);
-  const auto& t = opening.triangles[i];
-  const double r = std::sqrt(n - static_cast<double>(i));
-  return t[0] + (r * (1.0 - b) * (t[1] - t[0]) + r * b * (t[2] - t[0]));
-}
-
-double reflectance_of(const Solution& solution, ElementId e) {
-  const Scene& scene = solution.scene();
-  return std::max(kLeastReflectance,
-                  luminance(scene.side_reflectance(solution.tree().face_side(e)), scene.channel_weights));
-}
-
-class NodeSampler {
- public:
-  /// @param tolerance_lux  error at the sensors that one node's direct light may cause
-  NodeSampler(const Solution& solution, const Importance& importance, double tolerance_lux, std::uint64_t seed)
-      : solution_(solution), importance_(importance), tolerance_lux_(tolerance_lux), seed_(seed) {
-    for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
+/// Opens a node; its children look at what it has seen.
+void open(Solution& solution, const DirectSurvey& survey, std::vector<DirectCandidate>& next) {
+  const ElementId e = survey.below.node;
+  solution.open(e);
+  for (std::size_t k = 0; k < solution.tree().child_count(e); ++k) {
+    DirectCandidate child = survey.below;
+    child.node = ElementId(solution.tree().first_child(e).index() + k);
+    next.push_back(std::move(child));
   }
+}
 
-  [[nodiscard]] Survey survey(const Candidate& candidate) const {
-    const mesh::ElementTree& tree = solution_.tree();
-    const ElementId e = candidate.node;
-    Survey result;
-    result.below.node = e;
-    result.below.open_sky = false;
-    const std::uint64_t key = mesh::hash(seed_, tree.key(e));
-    Places places;
-    const SobolPoints numbers(key);
-    for (std::uint32_t i = 0; i < kPoints; ++i) {
-      const Point p = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1));
-      const Vector d = p - tree.centroid(e);
-      places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
-      places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
+/// Opens nodes until a line over each of them will do.
+std::vector<DirectSurvey> survey_all(Solution& solution, const DirectSampler& sampler, double tolerance_lux,
+                                     Progress& progress) {
+  std::vector<DirectSurvey> accepted;
+  std::vector<DirectCandidate> round = roots_of(solution);
+  const auto first_round = static_cast<double>(round.size());
+  while (!round.empty()) {
+    std::vector<DirectSurvey> surveys(round.size());
+    parallel_for(round.size(), [&](std::size_t i) { surveys[i] = sampler.survey(round[i]); });
+    round.clear();
+    for (DirectSurvey& survey : surveys) {
+      if (sampler.effect(survey) <= tolerance_lux || solution.tree().radius(survey.below.node) < kSmallest)
+        accepted.push_back(std::move(survey));
+      else
+        open(solution, survey, round);
     }
-    result.below.minor = candidate.minor;
-    for (const std::uint32_t k : candidate.openings) {
-      if (most_light(e, k) <= tolerance(e)) {
-        result.below.minor.push_back(k);
-        continue;
-      }
-      if (!may_see(e, k) || !sees(e, static_cast<std::int32_t>(k))) continue;
-      result.below.openings.push_back(k);
-      survey_opening(e, k, mesh::hash(key, k), places, result);
-    }
-    if (candidate.open_sky && scene().has_sky() && sees(e, kOpenSky)) {
-      result.below.open_sky = true;
-      survey_sky(e, mesh::hash(key, 0xFFFF), places, result);
-    }
-    survey_point_sources(e, places, result);
-    result.fit = fit_line(places.samples, true);
-    return result;
+    progress.advance(0.5 - 0.5 * static_cast<double>(round.size()) / (first_round + static_cast<double>(round.size())));
   }
-
-  /// What a node's illuminance may be wrong by [lux].
-  [[nodiscard]] double tolerance(ElementId e) const {
-    return tolerance_lux_ / (reflectance_of(solution_, e) * importance_.of(solution_.tree(), e));
-  }
-
-  [[nodiscard]] Measurement measure(const Survey& survey) const {
-    const ElementId e = survey.below.node;
-    Measurement result;
-    for (std::uint32_t rays = kFirstRays;; rays *= 2) {
-      result = {};
-      double variance = 0.0;
-      for (const std::uint32_t k : survey.below.openings) {
-        variance += sample_part(e, static_cast<std::int32_t>(k), rays, result);
-      }
-      if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
-      result.noise = std::sqrt(variance);
-      if (result.noise <= tolerance(e) || rays >= kMostRays) break;
-    }
-    for (const std::uint32_t k : survey.below.minor) {
-      if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
-    }
-    const double by_points = point_source_mean(e);
-    result.received += by_points;
-    result.total += by_points;
-    return result;
-  }
-
- private:
-  /// A shadow ray that tells whether an opening, or the open sky, can be seen.
-  struct Probe {
-    mesh::Segment segment;
-    Vector direction;
-    bool possible = false;
-  };
-  struct Places {
-    std::array<PlaneSample, kPoints> samples;
-    std::array<Point, kPoints> lifted;
-  };
-
-  [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
-
-  [[nodiscard]] double most_light(ElementId e, std::uint32_t k) const;
-  [[nodiscard]] bool in_view(ElementId e, std::uint32_t k) const;
-  [[nodiscard]] bool may_see(ElementId e, std::uint32_t k) const;
-  [[nodiscard]] bool sees(ElementId e, std::int32_t opening) const;
-  [[nodiscard]] Probe probe(ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
-  [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
-  void survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places, Survey& result) const;
-  void survey_sky(ElementId e, std::uint64_t key, Places& places, Survey& result) const;
-  void survey_point_sources(ElementId e, Places& places, Survey& result) const;
-  double sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, Measurement& result) const;
-  struct Start {
-    Point at;
-    Vector direction;
-    double weight = 0.0;  ///< share of the cosine-weighted hemisphere that the ray stands for
-  };
-  [[nodiscard]] Start start(ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
-  [[nodiscard]] double point_source_mean(ElementId e) const;
-
-  const Solution& solution_;
-  const Importance& importance_;
-  double tolerance_lux_;
-  std::uint64_t seed_;
-  std::vector<mesh::ShaftEnd> ends_;
-};
-
-/// A bound on what an opening can give a node, were all of it bright sky [lux].
-double NodeSampler::most_light(ElementId e, std::uint32_t k) const {
-  const mesh::ElementTree& tree = solution_.tree();
-  const mesh::ShaftEnd& end = ends_[k];
-  const Point centre = midpoint(end.corners[0], end.corners[2]);
-  const double reach = tree.radius(e) + norm(end.corners[0] - centre);
-  const double distance = norm(tree.centroid(e) - centre) - reach;
-  if (distance <= 0.0) return std::numeric_limits<double>::infinity();
-  const double share = std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
-  return kBrightest * scene().sky.horizontal_illuminance_lux * share;
+  return accepted;
 }
 
-/// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
-bool NodeSampler::in_view(ElementId e, std::uint32_t k) const {
-  const mesh::ElementTree& tree = solution_.tree();
-  if (tree.face_side(e).face == scene().openings[k].face) return false;
-  mesh::ShaftEnd own;
-  own.count = tree.hull(e, own.corners);
-  own.normal = tree.normal(e);
-  const auto in_front = [](const mesh::ShaftEnd& of, const mesh::ShaftEnd& other) {
-    for (std::size_t i = 0; i < other.count; ++i) {
-      if (dot(other.corners[i] - of.corners[0], of.normal) > 1e-9) return true;
-    }
-    return false;
-  };
-  return in_front(own, ends_[k]) && in_front(ends_[k], own);
-}
-
-bool NodeSampler::may_see(ElementId e, std::uint32_t k) const {
-  if (!in_view(e, k)) return false;
-  mesh::ShaftEnd own;
-  own.count = solution_.tree().hull(e, own.corners);
-  own.normal = solution_.tree().normal(e);
-  return scene().shafts->classify(own, ends_[k]) != mesh::Visibility::kHidden;
-}
-
-void NodeSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,
-                                 Survey& result) const {
-  const Vector& normal = solution_.tree().normal(e);
-  const SobolPoints numbers(key);
-  for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
-    for (std::uint32_t j = 0; j < kDirections; ++j) {
-      const SolidAngleSample s = sampler.sample(numbers.at(j, 0), numbers.at(j, 1));
-      const double cosine = dot(s.direction, normal);
-      if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
-      const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
-      Collector collector{&solution_, true};
-      follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
-      const double lux = weight * (collector.sky_lux + collector.guess_lux);
-      places.samples[i].value += lux;
-      result.received += weight * collector.sky_lux / kPoints;
-      result.total += lux / kPoints;
-    }
-  }
-}
-
-void NodeSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, Survey& result) const {
-  const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
-  const SobolPoints numbers(key);
-  for (std::uint32_t i = 0; i < kPoints; ++i) {
-    for (std::uint32_t j = 0; j < kDirections; ++j) {
-      const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
-      Collector collector{&solution_};
-      follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
-      places.samples[i].value += collector.sky_lux / kDirections;
-      result.received += collector.sky_lux / (kDirections * kPoints);
-      result.total += collector.sky_lux / (kDirections * kPoints);
-    }
-  }
-}
-
-void NodeSampler::survey_point_sources(ElementId e, Places& places, Survey& result) const {
-  if (scene().point_sources.empty()) return;
-  const Vector& normal = solution_.tree().normal(e);
-  for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const double lux = point_source_illuminance(scene(), places.lifted[i], normal);
-    places.samples[i].value += lux;
-    result.received += lux / kPoints;
-    result.total += lux / kPoints;
-  }
-}
-
-/// A ray from a place of a node towards an opening, or into the open hemisphere.
-NodeSampler::Start NodeSampler::start(ElementId e, std::int32_t opening, const SobolPoints& numbers,
-                                      std::uint32_t i) const {
-  const mesh::ElementTree& tree = solution_.tree();
-  const Vector& normal = tree.normal(e);
-  Start ray;
-  ray.at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
-  if (opening == kOpenSky) {
-    ray.direction = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
-    ray.weight = 1.0;
-    return ray;
-  }
-  const OpeningSampler sampler(ray.at, scene().openings[static_cast<std::size_t>(opening)].triangles);
-  const SolidAngleSample s = sampler.sample(numbers.at(i, 2), numbers.at(i, 3));
-  ray.direction = s.direction;
-  ray.weight = s.solid_angle_sr * std::max(0.0, dot(s.direction, normal)) / std::numbers::pi;
-  return ray;
-}
-
-/// A probe from a place of a node to a place of an opening, or out of the model.
-NodeSampler::Probe NodeSampler::probe(ElementId e, std::int32_t opening, const SobolPoints& numbers,
-                                      std::uint32_t i) const {
-  const mesh::ElementTree& tree = solution_.tree();
-  const Vector& normal = tree.normal(e);
-  const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
-  if (opening == kOpenSky) {
-    const Vector d = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
-    return {{at, at + 2.0 * scene().rays->bounds().diagonal() * d}, d, true};
-  }
-  const Opening& o = scene().openings[static_cast<std::size_t>(opening)];
-  const Point inside = point_of(o, numbers.at(i, 2), numbers.at(i, 3)) - scene().rays->offset_m() * o.outward;
-  const Vector d = inside - at;
-  return {{at, inside}, normalized(d), dot(d, normal) > 0.0 && dot(d, o.outward) > 0.0};
-}
-
-/// Whether anything bright lies where an unobstructed probe leads.
-bool NodeSampler::is_lit(const Probe& probe, std::int32_t opening) const {
-  if (opening == kOpenSky) return sky_luminance(scene().sky, probe.direction) > 0.0;
-  Collector collector{&solution_, true};
-  follow(scene(), probe.segment.from, probe.direction, 1.0F, rule_of(opening), collector);
-  return collector.sky_lux + collector.guess_lux > 0.0;
-}
-
-bool NodeSampler::sees(ElementId e, std::int32_t opening) const {
-  constexpr std::uint32_t kBatch = 16;
-  const SobolPoints numbers(
-      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
-  std::array<Probe, kBatch> probes;
-  std::array<mesh::Segment, kBatch> segments;
-  std::array<float, kBatch> passed{};
-  for (std::uint32_t first = 0; first < kProbes; first += kBatch) {
-    std::size_t count = 0;
-    for (std::uint32_t i = first; i < first + kBatch; ++i) {
-      probes[count] = probe(e, opening, numbers, i);
-      segments[count] = probes[count].segment;
-      count += probes[count].possible ? 1 : 0;
-    }
-    scene().rays->transmittance(std::span(segments).first(count), std::span(passed).first(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      if (passed[i] > 0.0F && is_lit(probes[i], opening)) return true;
-    }
-  }
-  return false;
-}
-
-/// Adds one opening's light, or the open sky's, to a measurement; gives the variance of its mean.
-double NodeSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, Measurement& result) const {
-  const std::uint64_t key =
-      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 0x10000));
-  std::array<double, kBatches> means{};
-  for (std::uint32_t b = 0; b < kBatches; ++b) {
-    const SobolPoints numbers(mesh::hash(key, b));
-    for (std::uint32_t i = 0; i < rays; ++i) {
-      const Start ray = start(e, opening, numbers, i);
-      if (ray.weight <= 0.0) continue;
-      const double weight = ray.weight / (rays * kBatches);
-      Collector collector{&solution_, opening != kOpenSky, &result.beyond};
-      const std::size_t first = result.beyond.size();
-      follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
-      for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);
-      result.received += weight * collector.sky_lux;
-      means[b] += weight * kBatches * (collector.sky_lux + collector.guess_lux);
-    }
-  }
-  const ReplicateMean lux = mean_of_replicates(means);
-  result.total += lux.mean;
-  return lux.variance;
-}
-
-double NodeSampler::point_source_mean(ElementId e) const {
-  constexpr std::uint32_t kPlaces = 32;
-  if (scene().point_sources.empty()) return 0.0;
-  const mesh::ElementTree& tree = solution_.tree();
-  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < kPlaces; ++i) {
-    const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-    sum += point_source_illuminance(scene(), at, tree.normal(e)) / kPlaces;
-  }
-  return sum;
-}
-
-/// Of the illuminance over a node, per unit of its mean [1/m].
-LinearValue relative_slope(const Survey& survey) {
-  if (survey.total <= 0.0) return {1.0F, 0.0F, 0.0F};
-  return {1.0F, static_cast<float>(survey.fit.line.slope_u / survey.total),
-          static_cast<float>(survey.fit.line.slope_v / survey.total)};
-}
-
-void accept(Solution& solution, ElementId e, const Survey& survey, const Measurement& measured) {
-  const LinearValue slope = relative_slope(survey);
+void accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurement& measured) {
+  const ElementId e = survey.below.node;
+  const LinearValue slope = survey.relative_slope();
   const auto received = static_cast<float>(measured.received);
   for (LinearValue& v : solution.direct(e)) v = {received, received * slope.slope_u, received * slope.slope_v};
   solution.add_error(e, survey.fit.residual * survey.fit.residual + measured.noise * measured.noise);
@@ -423,47 +72,16 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
                            Progress& progress) {
   DirectLight result;
   result.scale_lux = importance.mean_lux();
-  std::vector<Candidate> round;
-  Candidate all;
-  for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) all.openings.push_back(k);
-  for (const ElementId root : solution.tree().roots()) {
-    all.node = root;
-    round.push_back(all);
-  }
-  const NodeSampler sampler(solution, importance, tolerance * result.scale_lux, seed);
-  std::vector<Survey> accepted;
-  const auto first_round = static_cast<double>(round.size());
-  while (!round.empty()) {
-    std::vector<Survey> surveys(round.size());
-    parallel_for(round.size(), [&](std::size_t i) { surveys[i] = sampler.survey(round[i]); });
-    std::vector<Candidate> next;
-    for (std::size_t i = 0; i < round.size(); ++i) {
-      const ElementId e = round[i].node;
-      // Where importance lies on a part of the node, a few places all over it do not tell what matters.
-      const double effect = reflectance_of(solution, e) * (importance.of(solution.tree(), e) * surveys[i].fit.residual +
-                                                           importance.uneven(e) * surveys[i].total);
-      if (effect <= tolerance * result.scale_lux || solution.tree().radius(e) < kSmallest) {
-        accepted.push_back(std::move(surveys[i]));
-        continue;
-      }
-      solution.open(e);
-      for (std::size_t k = 0; k < solution.tree().child_count(e); ++k) {
-        Candidate child = surveys[i].below;
-        child.node = ElementId(solution.tree().first_child(e).index() + k);
-        next.push_back(std::move(child));
-      }
-    }
-    round = std::move(next);
-    progress.advance(0.5 - 0.5 * static_cast<double>(round.size()) / (first_round + static_cast<double>(round.size())));
-  }
-
-  std::vector<Measurement> measured(accepted.size());
+  const double tolerance_lux = tolerance * result.scale_lux;
+  const DirectSampler sampler(solution, importance, tolerance_lux, seed);
+  const std::vector<DirectSurvey> accepted = survey_all(solution, sampler, tolerance_lux, progress);
+  std::vector<DirectMeasurement> measured(accepted.size());
   parallel_for(accepted.size(), [&](std::size_t i) { measured[i] = sampler.measure(accepted[i]); });
   for (std::size_t i = 0; i < accepted.size(); ++i) {
-    accept(solution, accepted[i].below.node, accepted[i], measured[i]);
+    accept(solution, accepted[i], measured[i]);
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
-        links_to_seen(solution, accepted[i].below.node, measured[i].beyond, relative_slope(accepted[i]));
+        links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());
     result.links.insert(result.links.end(), links.begin(), links.end());
   }
   progress.advance(1.0);

@@ -93,6 +93,21 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
   return walked;
 }
 
+/// Walks from sensors that are spread over the list of all of them.
+std::vector<Walked> walk_from(const Solution& solution, std::span<const Point> positions,
+                              std::span<const Vector> normals, std::uint64_t seed) {
+  const std::size_t walkers = std::min(kWalkers, positions.size());
+  std::vector<Walked> walked(walkers);
+  const auto walks = static_cast<std::uint32_t>(kWalks / std::max<std::size_t>(1, walkers));
+  parallel_for(walkers, [&](std::size_t i) {
+    const std::size_t sensor = i * positions.size() / walkers;
+    // A sensor may stand on a surface.
+    const Point lifted = positions[sensor] + solution.scene().rays->offset_m() * normals[sensor];
+    walked[i] = walk(solution, lifted, normals[sensor], walks, mesh::hash(seed, sensor));
+  });
+  return walked;
+}
+
 /// What the light of the scene would give its surfaces if it spread evenly [lux].
 double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
   double flux_lm = 0.0;
@@ -154,16 +169,8 @@ void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
 Importance::Importance(Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
                        std::uint64_t seed, std::span<const std::uint32_t> grids) {
   const mesh::ElementTree& tree = solution.tree();
-  const std::size_t walkers = std::min(kWalkers, positions.size());
-  std::vector<Walked> walked(walkers);
-  const auto walks = static_cast<std::uint32_t>(kWalks / std::max<std::size_t>(1, walkers));
-  parallel_for(walkers, [&](std::size_t i) {
-    const std::size_t sensor = i * positions.size() / walkers;
-    // A sensor may stand on a surface.
-    const Point lifted = positions[sensor] + solution.scene().rays->offset_m() * normals[sensor];
-    walked[i] = walk(solution, lifted, normals[sensor], walks, mesh::hash(seed, sensor));
-  });
-
+  const std::vector<Walked> walked = walk_from(solution, positions, normals, seed);
+  const std::size_t walkers = walked.size();
   const auto grid_of = [&](std::size_t walker) {
     return grids.empty() ? 0U : grids[walker * positions.size() / walkers];
   };
@@ -187,9 +194,12 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
     }
   }
   find_uneven(tree, own, counts);
+  spread(tree, own, walkers == 0 ? 1.0 : kAreaShare);
+}
+
+void Importance::spread(const mesh::ElementTree& tree, std::span<const double> own, double by_area) {
   double all_area = 0.0;
   for (const ElementId root : tree.roots()) all_area += tree.area(root);
-  const double by_area = walkers == 0 ? 1.0 : kAreaShare;
   importance_.resize(tree.size());
   std::vector<double> root_density(tree.size(), 0.0);
   for (std::size_t i = 0; i < tree.size(); ++i) {

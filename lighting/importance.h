@@ -30,6 +30,8 @@ class Importance {
 
  private:
   void find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts);
+  /// From the nodes' own deposits, those of their roots by area, and a share of all importance by area alone.
+  void spread(const mesh::ElementTree& tree, std::span<const double> own, double by_area);
 
   std::vector<float> importance_;  ///< [nodes at the time of the walks]
   std::vector<float> uneven_;

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/direct_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "lighting/light_paths.h"
+#include "lighting/opening_sampler.h"
+#include "lighting/openings.h"
+#include "lighting/point_light.h"
+#include "lighting/replicates.h"
+#include "lighting/sampling.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+constexpr std::uint32_t kPoints = 8;      ///< places on a node, to see how light changes over it
+constexpr std::uint32_t kDirections = 8;  ///< from each place towards each opening, and into the open hemisphere
+/// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
+/// direction of its own, stratified in all four dimensions.
+constexpr std::uint32_t kProbes = 256;
+constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
+constexpr std::uint32_t kMostRays = 512;
+constexpr double kBrightest = 9.0 / 7.0;    ///< zenith of the overcast sky, against a sky of its mean luminance
+constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
+constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
+
+/// Stands for the sky seen through no opening, where an opening's number is asked for.
+constexpr std::int32_t kOpenSky = -1;
+
+/// Adds up what rays from a node end on.
+struct Collector {
+  const Solution* solution;
+  bool surfaces_count = false;
+  std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
+  double sky_lux = 0.0;
+  double guess_lux = 0.0;
+
+  void surface(const SurfacePoint& seen, float weight, bool) {
+    if (!surfaces_count) return;
+    if (beyond != nullptr) beyond->push_back(seen_surface(*solution, seen, weight));
+    const Scene& scene = solution->scene();
+    const float rho = luminance(scene.side_reflectance(seen.side), scene.channel_weights);
+    const float own = luminance(scene.side_exitance(seen.side), scene.channel_weights);
+    guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.horizontal_illuminance_lux);
+  }
+  void sky(const Vector& direction, float weight, bool) {
+    sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+  }
+};
+
+/// What a node sees of the sky in panes comes by links that follow the mirrors; what it sees through an opening, mirrors
+/// outdoors included, by the opening's rays.
+PathRule rule_of(std::int32_t opening) {
+  if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
+  return {PathRule::Part::kOpening, opening, true};
+}
+
+/// The place of an opening that belongs to (a, b) in the unit square, about uniform by area.
+Point point_of(const Opening& opening, double a, double b) {
+  const double n = a * static_cast<double>(opening.triangles.size());
+  const auto i = std::min(static_cast<std::size_t>(n), opening.triangles.size() - 1);
+  const auto& t = opening.triangles[i];
+  const double r = std::sqrt(n - static_cast<double>(i));
+  return t[0] + (r * (1.0 - b) * (t[1] - t[0]) + r * b * (t[2] - t[0]));
+}
+
+}  // namespace
+
+LinearValue DirectSurvey::relative_slope() const {
+  if (total <= 0.0) return {1.0F, 0.0F, 0.0F};
+  return {1.0F, static_cast<float>(fit.line.slope_u / total), static_cast<float>(fit.line.slope_v / total)};
+}
+
+/// A shadow ray that tells whether an opening, or the open sky, can be seen.
+struct DirectSampler::Probe {
+  mesh::Segment segment;
+  Vector direction;
+  bool possible = false;
+};
+
+struct DirectSampler::Places {
+  std::array<PlaneSample, kPoints> samples;
+  std::array<Point, kPoints> lifted;
+};
+
+struct DirectSampler::Start {
+  Point at;
+  Vector direction;
+  double weight = 0.0;  ///< share of the cosine-weighted hemisphere that the ray stands for
+};
+
+DirectSampler::DirectSampler(const Solution& solution, const Importance& importance, double tolerance_lux,
+                             std::uint64_t seed)
+    : solution_(solution), importance_(importance), tolerance_lux_(tolerance_lux), seed_(seed) {
+  for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
+}
+
+double DirectSampler::reflectance(ElementId e) const {
+  return std::max(kLeastReflectance,
+                  luminance(scene().side_reflectance(solution_.tree().face_side(e)), scene().channel_weights));
+}
+
+/// What a node's illuminance may be wrong by [lux].
+double DirectSampler::tolerance(ElementId e) const {
+  return tolerance_lux_ / (reflectance(e) * importance_.of(solution_.tree(), e));
+}
+
+DirectSampler::Places DirectSampler::places_on(ElementId e, std::uint64_t key) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const SobolPoints numbers(key);
+  Places places;
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const Point p = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1));
+    const Vector d = p - tree.centroid(e);
+    places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
+    places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
+  }
+  return places;
+}
+
+DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
+  const ElementId e = candidate.node;
+  const std::uint64_t key = mesh::hash(seed_, solution_.tree().key(e));
+  DirectSurvey result;
+  result.below.node = e;
+  result.below.open_sky = false;
+  result.below.minor = candidate.minor;
+  Places places = places_on(e, key);
+  for (const std::uint32_t k : candidate.openings) {
+    if (most_light(e, k) <= tolerance(e)) {
+      result.below.minor.push_back(k);
+      continue;
+    }
+    if (!may_see(e, k) || !sees(e, static_cast<std::int32_t>(k))) continue;
+    result.below.openings.push_back(k);
+    survey_opening(e, k, mesh::hash(key, k), places, result.total);
+  }
+  if (candidate.open_sky && scene().has_sky() && sees(e, kOpenSky)) {
+    result.below.open_sky = true;
+    survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
+  }
+  survey_point_sources(e, places, result.total);
+  result.fit = fit_line(places.samples, true);
+  return result;
+}
+
+double DirectSampler::effect(const DirectSurvey& survey) const {
+  const ElementId e = survey.below.node;
+  // Where importance lies on a part of the node, a few places all over it do not tell what matters.
+  return reflectance(e) *
+         (importance_.of(solution_.tree(), e) * survey.fit.residual + importance_.uneven(e) * survey.total);
+}
+
+DirectMeasurement DirectSampler::measure(const DirectSurvey& survey) const {
+  const ElementId e = survey.below.node;
+  DirectMeasurement result;
+  for (std::uint32_t rays = kFirstRays;; rays *= 2) {
+    result = {};
+    double variance = 0.0;
+    for (const std::uint32_t k : survey.below.openings) {
+      variance += sample_part(e, static_cast<std::int32_t>(k), rays, result);
+    }
+    if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
+    result.noise = std::sqrt(variance);
+    if (result.noise <= tolerance(e) || rays >= kMostRays) break;
+  }
+  for (const std::uint32_t k : survey.below.minor) {
+    if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
+  }
+  const double by_points = point_source_mean(e);
+  result.received += by_points;
+  result.total += by_points;
+  return result;
+}
+
+/// A bound on what an opening can give a node, were all of it bright sky [lux].
+double DirectSampler::most_light(ElementId e, std::uint32_t k) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const mesh::ShaftEnd& end = ends_[k];
+  const Point centre = midpoint(end.corners[0], end.corners[2]);
+  const double reach = tree.radius(e) + norm(end.corners[0] - centre);
+  const double distance = norm(tree.centroid(e) - centre) - reach;
+  if (distance <= 0.0) return std::numeric_limits<double>::infinity();
+  const double share = std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
+  return kBrightest * scene().sky.horizontal_illuminance_lux * share;
+}
+
+/// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
+bool DirectSampler::in_view(ElementId e, std::uint32_t k) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  if (tree.face_side(e).face == scene().openings[k].face) return false;
+  mesh::ShaftEnd own;
+  own.count = tree.hull(e, own.corners);
+  own.normal = tree.normal(e);
+  const auto in_front = [](const mesh::ShaftEnd& of, const mesh::ShaftEnd& other) {
+    for (std::size_t i = 0; i < other.count; ++i) {
+      if (dot(other.corners[i] - of.corners[0], of.normal) > 1e-9) return true;
+    }
+    return false;
+  };
+  return in_front(own, ends_[k]) && in_front(ends_[k], own);
+}
+
+bool DirectSampler::may_see(ElementId e, std::uint32_t k) const {
+  if (!in_view(e, k)) return false;
+  mesh::ShaftEnd own;
+  own.count = solution_.tree().hull(e, own.corners);
+  own.normal = solution_.tree().normal(e);
+  return scene().shafts->classify(own, ends_[k]) != mesh::Visibility::kHidden;
+}
+
+void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,
+                                   double& total) const {
+  const Vector& normal = solution_.tree().normal(e);
+  const SobolPoints numbers(key);
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
+    for (std::uint32_t j = 0; j < kDirections; ++j) {
+      const SolidAngleSample s = sampler.sample(numbers.at(j, 0), numbers.at(j, 1));
+      const double cosine = dot(s.direction, normal);
+      if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
+      const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
+      Collector collector{&solution_, true};
+      follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
+      const double lux = weight * (collector.sky_lux + collector.guess_lux);
+      places.samples[i].value += lux;
+      total += lux / kPoints;
+    }
+  }
+}
+
+void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, double& total) const {
+  const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
+  const SobolPoints numbers(key);
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    for (std::uint32_t j = 0; j < kDirections; ++j) {
+      const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
+      Collector collector{&solution_};
+      follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
+      places.samples[i].value += collector.sky_lux / kDirections;
+      total += collector.sky_lux / (kDirections * kPoints);
+    }
+  }
+}
+
+void DirectSampler::survey_point_sources(ElementId e, Places& places, double& total) const {
+  if (scene().point_sources.empty()) return;
+  const Vector& normal = solution_.tree().normal(e);
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const double lux = point_source_illuminance(scene(), places.lifted[i], normal);
+    places.samples[i].value += lux;
+    total += lux / kPoints;
+  }
+}
+
+/// A ray from a place of a node towards an opening, or into the open hemisphere.
+DirectSampler::Start DirectSampler::start(ElementId e, std::int32_t opening, const SobolPoints& numbers,
+                                          std::uint32_t i) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& normal = tree.normal(e);
+  Start ray;
+  ray.at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  if (opening == kOpenSky) {
+    ray.direction = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
+    ray.weight = 1.0;
+    return ray;
+  }
+  const OpeningSampler sampler(ray.at, scene().openings[static_cast<std::size_t>(opening)].triangles);
+  const SolidAngleSample s = sampler.sample(numbers.at(i, 2), numbers.at(i, 3));
+  ray.direction = s.direction;
+  ray.weight = s.solid_angle_sr * std::max(0.0, dot(s.direction, normal)) / std::numbers::pi;
+  return ray;
+}
+
+/// A probe from a place of a node to a place of an opening, or out of the model.
+DirectSampler::Probe DirectSampler::probe(ElementId e, std::int32_t opening, const SobolPoints& numbers,
+                                          std::uint32_t i) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& normal = tree.normal(e);
+  const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  if (opening == kOpenSky) {
+    const Vector d = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
+    return {{at, at + 2.0 * scene().rays->bounds().diagonal() * d}, d, true};
+  }
+  const Opening& o = scene().openings[static_cast<std::size_t>(opening)];
+  const Point inside = point_of(o, numbers.at(i, 2), numbers.at(i, 3)) - scene().rays->offset_m() * o.outward;
+  const Vector d = inside - at;
+  return {{at, inside}, normalized(d), dot(d, normal) > 0.0 && dot(d, o.outward) > 0.0};
+}
+
+/// Whether anything bright lies where an unobstructed probe leads.
+bool DirectSampler::is_lit(const Probe& probe, std::int32_t opening) const {
+  if (opening == kOpenSky) return sky_luminance(scene().sky, probe.direction) > 0.0;
+  Collector collector{&solution_, true};
+  follow(scene(), probe.segment.from, probe.direction, 1.0F, rule_of(opening), collector);
+  return collector.sky_lux + collector.guess_lux > 0.0;
+}
+
+bool DirectSampler::sees(ElementId e, std::int32_t opening) const {
+  constexpr std::uint32_t kBatch = 16;
+  const SobolPoints numbers(
+      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
+  std::array<Probe, kBatch> probes;
+  std::array<mesh::Segment, kBatch> segments;
+  std::array<float, kBatch> passed{};
+  for (std::uint32_t first = 0; first < kProbes; first += kBatch) {
+    std::size_t count = 0;
+    for (std::uint32_t i = first; i < first + kBatch; ++i) {
+      probes[count] = probe(e, opening, numbers, i);
+      segments[count] = probes[count].segment;
+      count += probes[count].possible ? 1 : 0;
+    }
+    scene().rays->transmittance(std::span(segments).first(count), std::span(passed).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (passed[i] > 0.0F && is_lit(probes[i], opening)) return true;
+    }
+  }
+  return false;
+}
+
+/// Adds one opening's light, or the open sky's, to a measurement; gives the variance of its mean.
+double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays,
+                                  DirectMeasurement& result) const {
+  const std::uint64_t key =
+      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 0x10000));
+  std::array<double, kBatches> means{};
+  for (std::uint32_t b = 0; b < kBatches; ++b) {
+    const SobolPoints numbers(mesh::hash(key, b));
+    for (std::uint32_t i = 0; i < rays; ++i) {
+      const Start ray = start(e, opening, numbers, i);
+      if (ray.weight <= 0.0) continue;
+      const double weight = ray.weight / (rays * kBatches);
+      Collector collector{&solution_, opening != kOpenSky, &result.beyond};
+      const std::size_t first = result.beyond.size();
+      follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
+      for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);
+      result.received += weight * collector.sky_lux;
+      means[b] += weight * kBatches * (collector.sky_lux + collector.guess_lux);
+    }
+  }
+  const ReplicateMean lux = mean_of_replicates(means);
+  result.total += lux.mean;
+  return lux.variance;
+}
+
+double DirectSampler::point_source_mean(ElementId e) const {
+  constexpr std::uint32_t kPlaces = 32;
+  if (scene().point_sources.empty()) return 0.0;
+  const mesh::ElementTree& tree = solution_.tree();
+  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < kPlaces; ++i) {
+    const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
+    sum += point_source_illuminance(scene(), at, tree.normal(e)) / kPlaces;
+  }
+  return sum;
+}
+
+}  // namespace clerestory::lighting

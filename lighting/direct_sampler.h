@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lighting/importance.h"
+#include "lighting/linear_fit.h"
+#include "lighting/seen_surfaces.h"
+#include "lighting/solution.h"
+
+namespace clerestory::lighting {
+
+class SobolPoints;
+
+/// A node, and what it has to look at.
+struct DirectCandidate {
+  mesh::ElementId node;
+  std::vector<std::uint32_t> openings;  ///< those that may be seen
+  std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
+  bool open_sky = true;                 ///< may see the sky by no opening
+};
+
+/// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
+/// is left to measure().
+struct DirectSurvey {
+  LinearFit fit;          ///< of sky, point sources and the guess of what lies beyond openings
+  double total = 0.0;     ///< the mean of these [lux]
+  DirectCandidate below;  ///< what the node, or its children, need to look at
+
+  /// Of the illuminance over the node, per unit of its mean [1/m].
+  [[nodiscard]] LinearValue relative_slope() const;
+};
+
+/// What a node receives on the mean, with independent places and directions.
+struct DirectMeasurement {
+  double received = 0.0;  ///< from sky and point sources [lux]
+  double total = 0.0;     ///< with the guess of what lies beyond openings [lux]
+  double noise = 0.0;     ///< standard error of total [lux]
+  std::vector<SeenSurface> beyond;
+};
+
+/// Looks from nodes at the sky, through openings, and at point sources.
+class DirectSampler {
+ public:
+  /// @param tolerance_lux  error at the sensors that one node's direct light may cause
+  DirectSampler(const Solution& solution, const Importance& importance, double tolerance_lux, std::uint64_t seed);
+
+  [[nodiscard]] DirectSurvey survey(const DirectCandidate& candidate) const;
+  /// The error at the sensors [lux] where a line over the node stands for what was surveyed.
+  [[nodiscard]] double effect(const DirectSurvey& survey) const;
+  [[nodiscard]] DirectMeasurement measure(const DirectSurvey& survey) const;
+
+ private:
+  struct Probe;
+  struct Places;
+  struct Start;
+
+  [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
+  [[nodiscard]] double reflectance(mesh::ElementId e) const;
+  [[nodiscard]] double tolerance(mesh::ElementId e) const;
+
+  [[nodiscard]] double most_light(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] bool in_view(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] bool may_see(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] bool sees(mesh::ElementId e, std::int32_t opening) const;
+  [[nodiscard]] Probe probe(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
+  [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
+  [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
+  void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
+  void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
+  void survey_point_sources(mesh::ElementId e, Places& places, double& total) const;
+  double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result) const;
+  [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
+  [[nodiscard]] double point_source_mean(mesh::ElementId e) const;
+
+  const Solution& solution_;
+  const Importance& importance_;
+  double tolerance_lux_;
+  std::uint64_t seed_;
+  std::vector<mesh::ShaftEnd> ends_;  ///< the openings
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/direct_sampler.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// From the floor of a room of 4 m × 4 m × 3 m to its ceiling.
+constexpr double kFloorToCeiling = 0.28273279;
+
+struct Sampled : test::Stage {
+  explicit Sampled(const Study& study)
+      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, 1.0, 1) {}
+
+  /// Of a root that may see everything.
+  [[nodiscard]] DirectSurvey survey(const std::string& material, mesh::Side side = mesh::Side::kFront) const {
+    DirectCandidate candidate;
+    candidate.node = root(material, side);
+    for (std::uint32_t k = 0; k < scene.openings.size(); ++k) candidate.openings.push_back(k);
+    return sampler.survey(candidate);
+  }
+
+  Importance importance;
+  DirectSampler sampler;
+};
+
+Study under_even_sky(mesh::Model model) {
+  Study study = test::study_of(std::move(model), 0.2, {1, 1, 0.5});
+  study.sky.type = Sky::Type::kUniform;
+  return study;
+}
+
+Study open_ground() {
+  mesh::Model model;
+  support::add_quad(model, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {"ground", "ground"});
+  return under_even_sky(model);
+}
+
+/// A room of 4 m × 4 m × 3 m whose ceiling is an air polygon.
+Study open_room() {
+  Study study = under_even_sky(support::box_room(4, 4, 3));
+  test::leave_open(test::material(study, "ceiling"));
+  return study;
+}
+
+TEST(DirectSampler, AnEvenSkyIsTheSameAllOverOpenGroundAndHasNoNoise) {
+  const Sampled ground(open_ground());
+  const DirectSurvey survey = ground.survey("ground");
+  EXPECT_TRUE(survey.below.open_sky);
+  EXPECT_NEAR(survey.total, 10'000.0, 1e-2);
+  EXPECT_NEAR(survey.fit.residual, 0.0, 1e-2);
+  EXPECT_NEAR(survey.relative_slope().slope_u, 0.0F, 1e-6F);
+  const DirectMeasurement measured = ground.sampler.measure(survey);
+  EXPECT_NEAR(measured.received, 10'000.0, 1e-2);
+  EXPECT_EQ(measured.received, measured.total);
+  EXPECT_NEAR(measured.noise, 0.0, 1e-2);
+}
+
+TEST(DirectSampler, WithoutASkyNothingIsSeenThroughOpenings) {
+  Study study = open_room();
+  study.sky.type = Sky::Type::kNone;
+  const Sampled room(study);
+  const DirectSurvey survey = room.survey("floor");
+  EXPECT_THAT(survey.below.openings, IsEmpty());
+  EXPECT_EQ(survey.total, 0.0);
+  EXPECT_EQ(room.sampler.effect(survey), 0.0);
+  EXPECT_EQ(survey.relative_slope().slope_u, 0.0F);
+  EXPECT_EQ(room.sampler.measure(survey).total, 0.0);
+}
+
+TEST(DirectSampler, OpeningsAreHandedDownToNodesThatSeeThem) {
+  const Sampled room(open_room());
+  ASSERT_EQ(room.scene.openings.size(), 1U);
+  const DirectSurvey inside = room.survey("floor");
+  EXPECT_THAT(inside.below.openings, ElementsAre(0U));
+  EXPECT_FALSE(inside.below.open_sky) << "all sky is seen through the opening";
+  const DirectSurvey outside = room.survey("wall", mesh::Side::kBack);
+  EXPECT_THAT(outside.below.openings, IsEmpty());
+  EXPECT_TRUE(outside.below.open_sky);
+}
+
+TEST(DirectSampler, AFloorReceivesTheShareOfTheSkyThatItsFormFactorToTheOpenCeilingIs) {
+  const Sampled room(open_room());
+  const DirectMeasurement measured = room.sampler.measure(room.survey("floor"));
+  EXPECT_GT(measured.noise, 0.0);
+  EXPECT_NEAR(measured.received, 10'000.0 * kFloorToCeiling, 3.0 * measured.noise);
+  EXPECT_NEAR(measured.total, measured.received, 1e-9 * measured.received) << "there is nothing above but sky";
+  EXPECT_THAT(measured.beyond, IsEmpty());
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
