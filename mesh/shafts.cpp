@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/box_tree.h"
+
 namespace clerestory::mesh {
 
 namespace {
 
 /// What reaches into a shaft by less than this blocks nothing that could be measured [m]. It absorbs the rounding of planes
-/// through shared vertices, some 1e-13 of the model's size.
+/// through shared vertices, some 1e-13 of the model's size. Boxes are grown by it, so that flat ones overlap what they lie in.
 constexpr double kTouch = 1e-7;
 constexpr std::uint32_t kLeafSize = 4;
 /// So many possible blockers are tried as covers before a shaft is called partial.
@@ -32,14 +34,6 @@ double least_over(const Plane& plane, const Box& box) {
   const Point p{plane.normal.x > 0.0 ? box.low.x : box.high.x, plane.normal.y > 0.0 ? box.low.y : box.high.y,
                 plane.normal.z > 0.0 ? box.low.z : box.high.z};
   return side_of(plane, p);
-}
-
-/// Grown by a hair, so that flat boxes overlap what they lie in.
-Box grown(Box box) {
-  const Vector hair{kTouch, kTouch, kTouch};
-  box.low = box.low - hair;
-  box.high = box.high + hair;
-  return box;
 }
 
 bool is_convex(const std::vector<Point>& loop, const Vector& normal) {
@@ -81,7 +75,7 @@ struct Shafts::Shaft {
       // Light leaves and arrives in front of an end: what lies behind its plane is outside.
       if (end->count >= 3) planes[count++] = plane_through(end->corners[0], -end->normal);
     }
-    box = grown(box);
+    box = grown(box, kTouch);
     add_supporting_planes(a, b);
     add_supporting_planes(b, a);
   }
@@ -175,7 +169,7 @@ void Shafts::build(std::uint32_t begin, std::uint32_t end) {
     for (const Point& c : pieces_[i].corners) box.add(c);
     centres.add(centre(pieces_[i]));
   }
-  nodes_[id].box = grown(box);
+  nodes_[id].box = grown(box, kTouch);
   if (end - begin <= kLeafSize) {
     nodes_[id].begin = begin;
     nodes_[id].count = end - begin;
