@@ -96,7 +96,12 @@ std::string rooms_text(const ModelReport::Spaces& spaces) {
     rows.push_back({printable(room.name), fmt::format("{:.2f} m²", room.floor_area_m2),
                     fmt::format("{:.2f} m³", room.volume_m3), room.closed() ? "yes" : "no",
                     openings_text(room, spaces.rooms)});
-  return text_table(rows, "lrrll") +
+  std::string text = text_table(rows, "lrrll");
+  for (const mesh::Room& room : spaces.rooms) {
+    if (!room.not_apart.empty())
+      text += fmt::format("{} is a room by the file alone: {}\n", in_quotes(room.name), printable(room.not_apart));
+  }
+  return text +
          fmt::format("\nopenings to brighter places  {}, {} m²\n\n", spaces.openings, figure(spaces.openings_area_m2));
 }
 

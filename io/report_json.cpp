@@ -44,6 +44,7 @@ Json rooms_json(const std::vector<mesh::Room>& rooms) {
                     {"closed", room.closed()},
                     {"source", room.stated ? "file" : "geometry"},
                     {"openings", std::move(openings)}});
+    if (!room.not_apart.empty()) list.back()["not_apart"] = room.not_apart;
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace clerestory::mesh {
 
@@ -19,6 +20,9 @@ constexpr double kLargestYard = 100.0;
 constexpr double kFewDrops = 0.05;
 /// A floor's level is told to this [m].
 constexpr float kLevelStep = 0.25F;
+constexpr float kFineStep = 0.02F;
+/// Steps are at least this high [m].
+constexpr float kStep = 0.1F;
 /// So far below the floor of a cell there is no floor of it [m].
 constexpr float kVoidDepth = 0.75F;
 /// A void is a stairwell when nothing in it is farther than this from its edge [m]. Wider ones are cut when they are no more than this
@@ -84,9 +88,25 @@ bool has_roofed_room(const Columns& columns) {
 
 /// The floor that most of a cell stands on.
 struct MainFloor {
-  float level = Span{}.low;  ///< [m]
+  float level = Span{}.low;  ///< with what lies on it [m]
+  float usual = Span{}.low;  ///< of most of it [m]
   std::size_t columns = 0;   ///< of the whole cell, where one can stand
 };
+
+/// The level of most of each cell's main floor, to a fine step.
+void find_usual_levels(const Columns& columns, const RoomCells& cells, std::vector<MainFloor>& floors) {
+  std::vector<std::map<int, std::size_t>> levels(cells.count);
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    const float low = columns.spans[s].low;
+    if (cells.of_span[s] == kNoCell || columns.spans[s].height() < kHeadroom) continue;
+    const auto cell = static_cast<std::size_t>(cells.of_span[s]);
+    if (std::abs(low - floors[cell].level) < kLevelStep) ++levels[cell][static_cast<int>(std::floor(low / kFineStep))];
+  }
+  for (std::size_t cell = 0; cell < cells.count; ++cell) {
+    const auto most = std::ranges::max_element(levels[cell], {}, [](const auto& l) { return l.second; });
+    if (most != levels[cell].end()) floors[cell].usual = kFineStep * static_cast<float>(most->first);
+  }
+}
 
 std::vector<MainFloor> main_floors(const Columns& columns, const RoomCells& cells) {
   std::vector<std::map<int, std::size_t>> levels(cells.count);
@@ -108,7 +128,23 @@ std::vector<MainFloor> main_floors(const Columns& columns, const RoomCells& cell
     if (step_of(columns.spans[s].low) == main[cell])
       floors[cell].level = std::max(floors[cell].level, columns.spans[s].low);
   }
+  find_usual_levels(columns, cells, floors);
   return floors;
+}
+
+/// Adds the steps that lead down into a stairwell.
+void add_steps(const Columns& columns, const RoomCells& cells, float floor, std::vector<std::uint32_t>& stairwell) {
+  std::set<std::uint32_t> known(stairwell.begin(), stairwell.end());
+  for (std::size_t next = 0; next < stairwell.size(); ++next) {
+    const std::uint32_t s = stairwell[next];
+    for (const auto& beside : columns.raster.four_beside(columns.spans[s].column)) {
+      if (!beside) continue;
+      for (std::uint32_t t = columns.of(*beside).first; t < columns.of(*beside).second; ++t) {
+        if (cells.of_span[t] != cells.of_span[s] || columns.spans[t].low > floor - kStep) continue;
+        if (known.insert(t).second) stairwell.push_back(t);
+      }
+    }
+  }
 }
 
 /// How far the innermost of some spans of a cell lies from the edge of them all [m], in steps along the raster.
@@ -200,6 +236,7 @@ std::vector<ColumnCut> voids(const Columns& columns, const RoomCells& cells) {
     const bool small =
         static_cast<double>(below[cell].size()) <= kSmallShare * static_cast<double>(floors[cell].columns);
     if (!stairs && !small) continue;
+    if (stairs) add_steps(columns, cells, floors[cell].usual, below[cell]);
     for (const std::uint32_t s : below[cell]) cuts.push_back({s, floors[cell].level, stairs});
   }
   return cuts;

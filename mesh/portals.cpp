@@ -76,6 +76,7 @@ class Opening {
       portal.area_m2 += raster.cell_m * (s.high - s.low);
     }
     portal.box = box;
+    portal.border_m = raster.cell_m * static_cast<double>(mine.size());
     portal.width_m = std::hypot(box.size().x, box.size().y) + raster.cell_m;
     // A slanted opening has strips along both axes.
     portal.area_m2 = std::min(portal.area_m2, portal.width_m * box.size().z);

@@ -13,6 +13,7 @@ struct Portal {
   CellId a = kNoCell;  ///< below b
   CellId b = kNoCell;
   double width_m = 0.0;
+  double border_m = 0.0;  ///< along the sides of the columns, which a slanted opening has more of
   double area_m2 = 0.0;
   Box box;  ///< in which it lies [m, local]
 };

@@ -9,21 +9,21 @@
 
 #include "mesh/column_cuts.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/floor_finishes.h"
 #include "mesh/portals.h"
+#include "mesh/room_parts.h"
+#include "mesh/wall_lines.h"
 
 namespace clerestory::mesh {
 
 namespace {
 
-constexpr float kHeadroom = 1.8F;  ///< [m]
-/// Of an area on which one can stand [m²].
-constexpr double kLeastArea = 0.8;
-/// Rooms are wider than twice this, walls and cupboards narrower [m].
-constexpr float kHalfWidth = 0.3F;
 /// Openings from this width on are no doors: they join what they connect [m]. Below a lintel they have to be most of the wall as well,
 /// as below a beam: what leaves more of it is a passage from one room to another.
 constexpr double kWideOpening = 1.6;
 constexpr double kMostOfWall = 2.0 / 3.0;
+/// Share of its border over which a cell is open to another one that it is a part of: doorways, with a door on one side, have less.
+constexpr double kMostOpen = 0.5;
 /// Places are in a room as far as they are no more than this way [m] from one with this much space around it [m]: what comes after
 /// is a slit.
 constexpr float kCoreClearance = 0.2F;
@@ -49,7 +49,7 @@ struct Figures {
   float clearance_m = 0.0F;
   Box plan;
 
-  [[nodiscard]] bool is_room() const { return area_m2 >= kLeastArea && clearance_m >= kHalfWidth; }
+  [[nodiscard]] bool is_room() const { return area_m2 >= kLeastRoom && clearance_m >= kLeastHalfWidth; }
 };
 
 std::vector<Figures> figures_of(const Columns& columns, const RoomCells& cells) {
@@ -64,6 +64,21 @@ std::vector<Figures> figures_of(const Columns& columns, const RoomCells& cells) 
     mine.plan.add(Point{columns.raster.x(column), columns.raster.y(column), 0.0});
   }
   return figures;
+}
+
+/// The length of each cell's border, to walls and to other cells [m].
+std::vector<double> borders_of(const Columns& columns, const RoomCells& cells) {
+  std::vector<double> borders(cells.count, 0.0);
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell || columns.spans[s].height() < kHeadroom) continue;
+    double& mine = borders[static_cast<std::size_t>(cells.of_span[s])];
+    mine += 4.0 * columns.raster.cell_m;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::uint32_t t = beside_in_cell(columns, cells.of_span, s, axis);
+      if (t != Span::kNone && columns.spans[t].height() >= kHeadroom) mine -= 2.0 * columns.raster.cell_m;
+    }
+  }
+  return borders;
 }
 
 /// Whether an opening below a lintel is too wide for a door between two cells.
@@ -114,11 +129,15 @@ void join_through(CellId passage, const std::vector<Doorway>& doorways, const st
 void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
   const auto figures = figures_of(columns, cells);
   const auto portals = find_portals(columns, cells.of_span, kHeadroom, static_cast<CellId>(cells.count));
+  const auto borders = borders_of(columns, cells);
   const auto is_room = [&](CellId c) { return figures[static_cast<std::size_t>(c)].is_room(); };
   DisjointSets<CellId> joined(cells.count);
   for (const Portal& p : portals) {
     // Without a passage between them there is no lintel: one ceiling is just higher than the other.
     if (is_room(p.a) && is_room(p.b) && p.width_m >= kWideOpening) joined.join(p.a, p.b);
+    // What has no walls on most of its border is a part of what it is open to: the shaft of a skylight, what is below a lamp.
+    const double least = std::min(borders[static_cast<std::size_t>(p.a)], borders[static_cast<std::size_t>(p.b)]);
+    if (p.border_m > kMostOpen * least) joined.join(p.a, p.b);
   }
   for (const auto& [passage, doorways] : passages_of(portals, figures)) {
     join_through(passage, doorways, figures, joined);
@@ -128,10 +147,20 @@ void join_over_wide_openings(const Columns& columns, RoomCells& cells) {
   }
 }
 
+/// Keeps what is large enough, and no flight of stairs: what lies in a stairwell alone leads from one room to another and is none.
 void keep_rooms(const Columns& columns, RoomCells& cells) {
   const auto figures = figures_of(columns, cells);
+  std::vector<std::size_t> spans(cells.count, 0);
+  std::vector<std::size_t> in_stairwell(cells.count, 0);
+  for (std::uint32_t s = 0; s < columns.spans.size(); ++s) {
+    if (cells.of_span[s] == kNoCell) continue;
+    ++spans[static_cast<std::size_t>(cells.of_span[s])];
+    if (columns.spans[s].stairs) ++in_stairwell[static_cast<std::size_t>(cells.of_span[s])];
+  }
   for (CellId& cell : cells.of_span) {
-    if (cell != kNoCell && !figures[static_cast<std::size_t>(cell)].is_room()) cell = kNoCell;
+    if (cell == kNoCell) continue;
+    const auto c = static_cast<std::size_t>(cell);
+    if (!figures[c].is_room() || 2 * in_stairwell[c] > spans[c]) cell = kNoCell;
   }
 }
 
@@ -163,8 +192,9 @@ void cut_slits(const Columns& columns, RoomCells& cells) {
   }
 }
 
-/// Whether the border of a span towards a column is open: more than half of its height is free there, and no part of the room.
-enum class Border { kInside, kOpen, kWall };
+/// What the border of a span towards a column is: inside of its room, towards another room, or open where more than half of its height
+/// is free there.
+enum class Border { kInside, kRoom, kOpen, kWall };
 
 Border border(const RoomDrafts& drafts, std::uint32_t s, std::optional<std::uint32_t> column) {
   if (!column) return Border::kOpen;
@@ -175,7 +205,7 @@ Border border(const RoomDrafts& drafts, std::uint32_t s, std::optional<std::uint
     const float overlap = overlap_m(span, drafts.columns.spans[t]);
     if (overlap <= 0.0F) continue;
     if (drafts.of_span[t] == drafts.of_span[s]) return Border::kInside;
-    if (overlap > 0.5F * span.height()) found = Border::kOpen;
+    if (overlap > 0.5F * span.height()) found = drafts.of_span[t] == kNoCell ? Border::kOpen : Border::kRoom;
   }
   return found;
 }
@@ -187,7 +217,7 @@ void measure_enclosure(RoomDrafts& drafts) {
     if (drafts.of_span[s] == kNoCell) continue;
     for (const auto& beside : raster.four_beside(drafts.columns.spans[s].column)) {
       const Border b = border(drafts, s, beside);
-      if (b != Border::kInside)
+      if (b == Border::kOpen || b == Border::kWall)
         border_of[static_cast<std::size_t>(drafts.of_span[s])][b == Border::kOpen ? 1 : 0] += 1.0;
     }
   }
@@ -216,6 +246,8 @@ RoomDrafts draft_rooms(const Faces& faces) {
   join_over_wide_openings(drafts.columns, cells);
   keep_rooms(drafts.columns, cells);
   cut_slits(drafts.columns, cells);
+  part_cells(drafts.columns, wall_lines(faces, drafts.columns, cells), cells);
+  part_cells(drafts.columns, floor_finish_lines(faces, drafts.columns, cells), cells);
 
   std::map<CellId, CellId> number;
   for (const CellId cell : cells.of_span) {

@@ -32,6 +32,7 @@ struct Deck {
   std::map<std::uint32_t, std::size_t> lower;  ///< decks that one falls on, with the length of the border to them
   float level = 0.0F;                          ///< median [m]
   float headroom = 0.0F;                       ///< where there is most [m]
+  bool floorless = false;                      ///< the plane in which a stairwell opens
 };
 
 class Decks {
@@ -54,8 +55,7 @@ class Decks {
       const Span& span = drafts_.columns.spans[s];
       const std::uint32_t stands_on = stands[deck_of_[s]];
       const float floor = stands_on == deck_of_[s] ? span.low : std::min(span.low, decks_[stands_on].level);
-      const bool floorless = s > 0 && drafts_.columns.spans[s - 1].stairs;
-      const auto kind = floorless ? RoomColumn::Kind::kFloorless : RoomColumn::Kind::kWhole;
+      const auto kind = decks_[stands_on].floorless ? RoomColumn::Kind::kFloorless : RoomColumn::Kind::kWhole;
       add(result, {span.column, static_cast<std::uint32_t>(drafts_.of_span[s]), floor, span.high, span.low, kind});
     }
     return result;
@@ -83,10 +83,13 @@ class Decks {
     return best;
   }
 
+  [[nodiscard]] bool is_floorless(std::uint32_t s) const { return s > 0 && drafts_.columns.spans[s - 1].stairs; }
+
   void grow(std::uint32_t start) {
     const auto number = static_cast<std::uint32_t>(decks_.size());
     Deck deck;
     deck.room = drafts_.of_span[start];
+    deck.floorless = is_floorless(start);
     deck.spans.push_back(start);
     deck_of_[start] = number;
     const auto& spans = drafts_.columns.spans;
@@ -94,6 +97,7 @@ class Decks {
       const std::uint32_t s = deck.spans[next];
       beside(s, [&](std::uint32_t t) {
         if (t == Span::kNone || deck_of_[t] != Span::kNone || std::abs(spans[t].low - spans[s].low) > kStep) return;
+        if (is_floorless(t) != deck.floorless) return;
         deck_of_[t] = number;
         deck.spans.push_back(t);
       });
@@ -124,7 +128,7 @@ class Decks {
   }
 
   [[nodiscard]] bool is_furniture(const Deck& deck) const {
-    if (deck.lower.empty()) return false;
+    if (deck.lower.empty() || deck.floorless) return false;
     if (deck.headroom < kStorey) return true;
     const auto border = static_cast<double>(deck.border);
     const double shallow = static_cast<double>(deck.shallow) / border;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -121,7 +122,8 @@ std::uint32_t space_of(const Span& span, const RoomMap& spaces) {
   return kNoRoom;
 }
 
-Assignment assign(const RoomDrafts& drafts, std::vector<bool> chosen, const RoomMap& spaces, std::size_t space_count) {
+Assignment assign(const RoomDrafts& drafts, const std::vector<bool>& chosen, const RoomMap& spaces,
+                  std::size_t space_count) {
   std::vector<std::size_t> all(drafts.rooms.size(), 0);
   std::vector<std::size_t> taken(drafts.rooms.size(), 0);
   Assignment result;
@@ -143,6 +145,35 @@ Assignment assign(const RoomDrafts& drafts, std::vector<bool> chosen, const Room
     if (room != kNoRoom) result.room_of_span[s] = static_cast<CellId>(room);
   }
   return result;
+}
+
+/// The draft that most of each space lies in; kNoCell where that is none, or no room.
+std::vector<CellId> drafts_of_spaces(const RoomDrafts& drafts, const std::vector<bool>& chosen, const RoomMap& spaces,
+                                     std::size_t space_count) {
+  std::vector<std::map<CellId, std::size_t>> votes(space_count);
+  for (std::uint32_t s = 0; s < drafts.of_span.size(); ++s) {
+    const std::uint32_t space = space_of(drafts.columns.spans[s], spaces);
+    if (space == kNoRoom) continue;
+    const CellId draft = drafts.of_span[s];
+    ++votes[space][draft != kNoCell && chosen[static_cast<std::size_t>(draft)] ? draft : kNoCell];
+  }
+  std::vector<CellId> result;
+  for (const auto& of_space : votes) {
+    const auto most = std::ranges::max_element(of_space, {}, [](const auto& v) { return v.second; });
+    result.push_back(most == of_space.end() ? kNoCell : most->first);
+  }
+  return result;
+}
+
+/// Says which stated rooms the geometry does not part from others, or from the outside.
+void tell_what_is_not_apart(const std::vector<CellId>& drafts, std::vector<Room>& rooms) {
+  for (std::size_t s = 0; s < drafts.size(); ++s) {
+    if (drafts[s] == kNoCell) rooms[s].not_apart = "no walls enclose it";
+    for (std::size_t other = 0; other < drafts.size(); ++other) {
+      if (other == s || drafts[s] == kNoCell || drafts[other] != drafts[s]) continue;
+      rooms[s].not_apart += (rooms[s].not_apart.empty() ? "no wall between it and '" : ", '") + rooms[other].name + "'";
+    }
+  }
 }
 
 /// Rooms in the order of storeys, then from the least y and x on; gives each its number.
@@ -207,8 +238,10 @@ Rooms find_rooms(const Faces& faces, const Rays& rays, const RoomSearch& search)
   Rooms rooms;
   rooms.rooms = stated_rooms(search.spaces, raster, columns, faces.origin);
   const auto stated = static_cast<std::uint32_t>(rooms.rooms.size());
-  Assignment assigned =
-      assign(drafts, choose(rays, search, drafts, drafted), RoomMap(raster, columns), rooms.rooms.size());
+  const std::vector<bool> chosen = choose(rays, search, drafts, drafted);
+  const RoomMap stated_map(raster, columns);
+  Assignment assigned = assign(drafts, chosen, stated_map, stated);
+  if (stated > 0) tell_what_is_not_apart(drafts_of_spaces(drafts, chosen, stated_map, stated), rooms.rooms);
   rooms.rooms.resize(assigned.rooms);
   const auto found = columns_of_rooms(drafted, assigned);
   renumber(by_storey(found, raster, stated, static_cast<std::uint32_t>(assigned.rooms) - stated), stated, assigned);

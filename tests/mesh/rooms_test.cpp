@@ -143,6 +143,76 @@ TEST(Rooms, OpenDoorsAndNarrowPassagesDivideWideOpeningsJoin) {
   EXPECT_EQ(Building(divided_room(2.5, 2.1)).rooms().size(), 2U) << "with a lintel it is a doorway still";
 }
 
+/// A room of 8 m × 6 m × 3 m with a wall of 0.12 m along x = 2 that lacks 2.8 m from y = `from` on.
+Model hall_along_a_room(double from) {
+  Model model = support::box_room(8, 6, 3);
+  const support::Names wall{"wall", "partition"};
+  add_box(model, {2, 0, 0}, {2.12, from, 3}, wall);
+  add_box(model, {2, from + 2.8, 0}, {2.12, 6, 3}, wall);
+  return model;
+}
+
+TEST(Rooms, WallOfWhichMostStandsDividesAHallFromARoomWiderThanTheHall) {
+  for (const double angle : {0.0, 0.5}) {
+    const Building b(support::rotated(hall_along_a_room(1.5), {0, 0, 1}, angle));
+    ASSERT_EQ(b.rooms().size(), 2U) << angle;
+    const auto [hall, room] = std::minmax(b.rooms()[0].floor_area_m2, b.rooms()[1].floor_area_m2);
+    EXPECT_NEAR(hall, 12.0, 0.4) << angle;
+    EXPECT_NEAR(room, 35.28, 0.4) << angle;
+  }
+  EXPECT_EQ(Building(hall_along_a_room(0.1)).rooms().size(), 1U) << "no end of a wall on that side";
+}
+
+TEST(Rooms, WallOfWhichMostIsMissingDoesNotDivide) {
+  Model model = support::box_room(8, 6, 3);
+  add_box(model, {2, 0, 0}, {2.12, 1.4, 3}, {"wall", "partition"});
+  add_box(model, {2, 4.6, 0}, {2.12, 6, 3}, {"wall", "partition"});
+  EXPECT_EQ(Building(model).rooms().size(), 1U);
+}
+
+TEST(Rooms, ColumnsOfAHallDoNotDivide) {
+  Model model = support::box_room(12, 9, 3);
+  for (const double x : {2.8, 5.8, 8.8}) {
+    for (const double y : {2.8, 5.8}) add_box(model, {x, y, 0}, {x + 0.4, y + 0.4, 3}, {"concrete", "column"});
+  }
+  EXPECT_EQ(Building(model).rooms().size(), 1U);
+}
+
+/// A room of 6 m × 6 m × 3 m with tiles from y = 4 on, and along their edge a counter of this height and length.
+Model kitchen(double counter_height_m, double counter_length_m) {
+  Model model = support::box_room(6, 6, 3);
+  add_box(model, {0, 4, 0}, {6, 6, 0.01}, {"tiles", "kitchen floor"});
+  if (counter_length_m > 0.0)
+    add_box(model, {0, 4.01, 0.01}, {counter_length_m, 4.6, counter_height_m}, {"wood", "counter"});
+  return model;
+}
+
+TEST(Rooms, CounterAlongTheEdgeOfAFloorFinishDivides) {
+  const Building b(kitchen(1.0, 4.0));
+  ASSERT_EQ(b.rooms().size(), 2U);
+  EXPECT_NEAR(b.rooms()[0].floor_area_m2, 24.0, 0.3);
+  EXPECT_NEAR(b.rooms()[1].floor_area_m2, 12.0, 0.3);
+  EXPECT_EQ(Building(kitchen(0.0, 0.0)).rooms().size(), 1U) << "tiles alone do not";
+  EXPECT_EQ(Building(kitchen(0.72, 4.0)).rooms().size(), 1U) << "nor does a table";
+  EXPECT_EQ(Building(kitchen(1.0, 2.5)).rooms().size(), 1U) << "nor what stands along the smaller part";
+}
+
+TEST(Rooms, ShaftOfASkylightBelongsToItsRoom) {
+  Model model = support::box_room(6, 4, 3);
+  Model room;
+  for (std::size_t p = 0; p < model.polygon_count(); ++p) {
+    std::vector<Point> outer;
+    for (const std::uint32_t c : model.loop(p)) outer.push_back(model.vertices[c]);
+    if (!std::ranges::all_of(outer, [](const Point& q) { return q.z == 3.0; })) add_polygon(room, outer);
+  }
+  const std::vector<Point> hole{{2, 1, 3}, {3, 1, 3}, {3, 2, 3}, {2, 2, 3}};
+  add_polygon(room, {{0, 0, 3}, {0, 4, 3}, {6, 4, 3}, {6, 0, 3}}, {"ceiling", "room"}, {hole});
+  support::add_prism(room, hole, 3.0, 3.8, {"wall", "shaft"}, support::Fronts::kInward);
+  const Building b(room);
+  ASSERT_EQ(b.rooms().size(), 1U);
+  EXPECT_NEAR(b.rooms()[0].floor_area_m2, 24.0, 0.05);
+}
+
 TEST(Rooms, BeamsDoNotDivide) {
   for (const double below : {2.8, 2.4, 2.1}) {
     Model model = support::box_room(6, 4, 3);
@@ -395,6 +465,7 @@ TEST(Rooms, SpacesOfTheFileAreTheRooms) {
   EXPECT_EQ(b.rooms()[0].name, "Bath");
   EXPECT_EQ(b.rooms()[1].name, "room 2");
   EXPECT_TRUE(b.rooms()[0].stated);
+  EXPECT_EQ(b.rooms()[0].not_apart, "no wall between it and ''");
   EXPECT_NEAR(b.rooms()[0].floor_area_m2, 12.0, 1e-9);
   EXPECT_NEAR(b.rooms()[0].volume_m3, 30.0, 1e-9);
   EXPECT_NEAR(b.rooms()[1].volume_m3, 36.0, 1e-9);
