@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/clean.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <unordered_set>
@@ -27,6 +29,8 @@ namespace {
 
 /// Rounds of steps that can undo each other's work at the border of the tolerance; the second round finds nothing as a rule.
 constexpr int kMaxRounds = 4;
+/// Rounds of cutting, and times that one is tried with more left alone where it opened something; few are needed as a rule.
+constexpr int kMaxAttempts = 8;
 /// Corners moved by welding and by vertices set into edges stay within twice the tolerance of their plane.
 constexpr double kPlanarityOverWeld = 2.0;
 
@@ -56,6 +60,19 @@ bool reduce_all_panes(Soup& soup, const CleanOptions& options, const Model& mode
   return changed;
 }
 
+void tell(const SolidMeetings& meetings, std::vector<std::string>& notices) {
+  if (meetings.contacts > 0)
+    notices.push_back(
+        fmt::format("{} pairs of polygons of closed solids lie face to face; these contacts are no defects, and are "
+                    "imprinted on the faces",
+                    meetings.contacts));
+  if (meetings.crossings > 0)
+    notices.push_back(
+        fmt::format("{} pairs of polygons of closed solids poke through each other and were not cut, to keep the "
+                    "solids closed; the lines where they do are imprinted on the faces",
+                    meetings.crossings));
+}
+
 /// The steps of the clean-up on one soup, told to who watches.
 class Repair {
  public:
@@ -74,7 +91,7 @@ class Repair {
     progress_.phase("gaps");
     close_all_gaps(report);
     progress_.phase("intersections");
-    resolve_all_intersections();
+    tell(resolve_all_intersections(), report.notices);
     drop_duplicates(soup_, model_.material_names, defects_);
     progress_.phase("shells");
     remove_specks(soup_, defects_);
@@ -115,23 +132,35 @@ class Repair {
   }
 
   /// Pieces of one round may still cross others where a polygon had to be left whole. What opens a polygon is taken back.
-  void resolve_all_intersections() {
+  SolidMeetings resolve_all_intersections() {
+    mark_solids(soup_);
     std::unordered_set<std::uint32_t> left_alone;
-    for (int round = 0; round < kMaxRounds; ++round) {
+    SolidMeetings meetings;
+    for (int round = 0; round < kMaxAttempts; ++round) {
       DefectList found;
-      const bool changed = resolve_unless_opened(left_alone, found);
+      SolidMeetings of_round;
+      const bool changed = resolve_unless_opened(left_alone, found, of_round);
       defects_.append(std::move(found));
-      if (!changed) return;
+      // Later rounds see pieces of the contacts that the first one saw.
+      if (round == 0) meetings.contacts = of_round.contacts;
+      meetings.crossings += of_round.crossings;
+      // What was cut may be a solid no more, or have become one.
+      if (!changed && !mark_solids(soup_)) return meetings;
     }
-    leave_intersections(soup_, tolerance_, defects_);
+    SolidMeetings of_pieces;
+    leave_intersections(soup_, tolerance_, "is still there after several rounds of cutting", defects_, of_pieces);
+    meetings.crossings += of_pieces.crossings;
+    return meetings;
   }
 
   /// @return whether anything changed
-  bool resolve_unless_opened(std::unordered_set<std::uint32_t>& left_alone, DefectList& found) {
+  bool resolve_unless_opened(std::unordered_set<std::uint32_t>& left_alone, DefectList& found,
+                             SolidMeetings& meetings) {
     const Soup before = soup_;
-    for (int attempt = 0; attempt < kMaxRounds; ++attempt) {
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       found = {};
-      if (!resolve_intersections(soup_, tolerance_, model_.material_names, left_alone, found)) return false;
+      meetings = {};
+      if (!resolve_intersections(soup_, tolerance_, model_.material_names, left_alone, found, meetings)) return false;
       weld_again();
       DefectList own_making;
       make_conforming(own_making);
@@ -141,10 +170,14 @@ class Repair {
         drop_duplicates(soup_, model_.material_names, own_making);
         return true;
       }
-      left_alone.insert(opened.begin(), opened.end());
+      // What opens although it was left alone was opened by what is cut beside it.
+      const bool known = std::ranges::all_of(opened, [&](std::uint32_t source) { return left_alone.contains(source); });
+      left_alone.merge(known ? sources_beside(before, opened) : std::unordered_set(opened));
       soup_ = before;
     }
-    found = std::move(found).all_left("cutting there would open what is closed");
+    found = {};
+    meetings = {};
+    leave_intersections(soup_, tolerance_, "cutting there would open what is closed", found, meetings);
     return false;
   }
 

@@ -61,8 +61,8 @@ struct CleanReport {
 };
 
 /// Welded polygons without degenerate or duplicate ones; vertices on edges are corners of those edges, so that polygons that
-/// touch along a line share its vertices. No two polygons lie on each other or cross. Connected polygons look the same way, closed
-/// shells outward.
+/// touch along a line share its vertices. No two polygons lie on each other or cross, but where closed solids lie face to face, and
+/// where the report tells them as left. Connected polygons look the same way, closed shells outward.
 struct CleanSurface {
   Model polygons;                     ///< local coordinates: place in the model minus origin
   Vector origin;                      ///< model coordinates = local coordinates + origin [m]

@@ -46,17 +46,6 @@ void DefectList::append(DefectList other) {
   }
 }
 
-DefectList DefectList::all_left(std::string_view reason) && {
-  for (Defect& defect : defects_) {
-    defect.mended = 0;
-    for (Defect::Place& place : defect.places) {
-      place.mended = false;
-      place.note = reason;
-    }
-  }
-  return std::move(*this);
-}
-
 std::vector<Defect> DefectList::take(const Vector& origin) && {
   for (Defect& defect : defects_) {
     for (Defect::Place& place : defect.places) place.at = place.at + origin;

@@ -25,8 +25,6 @@ class DefectList {
   void leave(std::string_view kind, const DefectPlace& place, std::string_view reason);
   /// Takes over what another list holds.
   void append(DefectList other);
-  /// The list with every defect as left, for this reason.
-  [[nodiscard]] DefectList all_left(std::string_view reason) &&;
 
   /// The list, with places in model coordinates.
   [[nodiscard]] std::vector<Defect> take(const Vector& origin) &&;

@@ -337,13 +337,30 @@ void leave(const Soup& soup, const PolygonPair& pair, std::string_view reason, D
   defects.leave(kind_of(pair.kind), place_of(soup, pair), reason);
 }
 
+bool are_solid(const Soup& soup, const PolygonPair& pair) {
+  return soup.polygons[pair.first].outward != 0 && soup.polygons[pair.second].outward != 0;
+}
+
+/// Sets aside where two solids lie face to face. Where their faces look the same way one of them is seen twice.
+void set_contacts_aside(const Soup& soup, std::vector<PolygonPair>& pairs, SolidMeetings& meetings) {
+  const auto outside = [&](std::uint32_t p) {
+    return static_cast<double>(soup.polygons[p].outward) * newell(soup.points, soup.polygons[p].loops[0]);
+  };
+  meetings.contacts += std::erase_if(pairs, [&](const PolygonPair& pair) {
+    return pair.kind == Kind::kOverlap && are_solid(soup, pair) && dot(outside(pair.first), outside(pair.second)) < 0.0;
+  });
+}
+
 /// Sets aside the pairs that are to be left alone.
 void leave_pairs(const Soup& soup, const std::unordered_set<std::uint32_t>& left_alone, std::vector<PolygonPair>& pairs,
-                 DefectList& defects) {
+                 DefectList& defects, SolidMeetings& meetings) {
   std::erase_if(pairs, [&](const PolygonPair& pair) {
     const std::uint32_t source = soup.polygons[pair.first].source;
     if (!left_alone.contains(source) && !left_alone.contains(soup.polygons[pair.second].source)) return false;
-    leave(soup, pair, "cutting there would open what is closed", defects);
+    if (pair.kind == Kind::kCrossing && are_solid(soup, pair))
+      ++meetings.crossings;
+    else
+      leave(soup, pair, "cutting there would open what is closed", defects);
     return true;
   });
 }
@@ -370,9 +387,11 @@ std::unordered_map<std::uint32_t, double> open_length_by_source(const Soup& soup
 }  // namespace
 
 bool resolve_intersections(Soup& soup, double tolerance, const std::vector<std::string>& material_names,
-                           const std::unordered_set<std::uint32_t>& left_alone, DefectList& defects) {
+                           const std::unordered_set<std::uint32_t>& left_alone, DefectList& defects,
+                           SolidMeetings& meetings) {
   std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance);
-  leave_pairs(soup, left_alone, pairs, defects);
+  set_contacts_aside(soup, pairs, meetings);
+  leave_pairs(soup, left_alone, pairs, defects, meetings);
   if (pairs.empty()) {
     for (SoupPolygon& polygon : soup.polygons) polygon.checked = true;
     return false;
@@ -380,9 +399,15 @@ bool resolve_intersections(Soup& soup, double tolerance, const std::vector<std::
   return Cutting(soup, tolerance, pairs).run(material_names, defects);
 }
 
-void leave_intersections(const Soup& soup, double tolerance, DefectList& defects) {
-  for (const PolygonPair& pair : find_polygon_pairs(soup, tolerance)) {
-    leave(soup, pair, "is still there after several rounds of cutting", defects);
+void leave_intersections(const Soup& soup, double tolerance, std::string_view reason, DefectList& defects,
+                         SolidMeetings& meetings) {
+  std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance);
+  set_contacts_aside(soup, pairs, meetings);
+  for (const PolygonPair& pair : pairs) {
+    if (pair.kind == Kind::kCrossing && are_solid(soup, pair))
+      ++meetings.crossings;
+    else
+      leave(soup, pair, reason, defects);
   }
 }
 
@@ -394,6 +419,18 @@ std::unordered_set<std::uint32_t> opened_sources(const Soup& before, const Soup&
     if (length > (was == was_open.end() ? 0.0 : was->second) + kOpenedLength) opened.insert(source);
   }
   return opened;
+}
+
+std::unordered_set<std::uint32_t> sources_beside(const Soup& soup, const std::unordered_set<std::uint32_t>& sources) {
+  std::unordered_set<std::uint32_t> result = sources;
+  const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
+  const auto source_of = [&](std::size_t use) { return soup.polygons[uses[use].polygon].source; };
+  for_each_edge_group(uses, [&](std::size_t first, std::size_t last) {
+    bool beside = false;
+    for (std::size_t u = first; u < last; ++u) beside = beside || sources.contains(source_of(u));
+    for (std::size_t u = first; beside && u < last; ++u) result.insert(source_of(u));
+  });
+  return result;
 }
 
 void drop_covered(Soup& soup) {

@@ -19,11 +19,15 @@ struct ShellGraph {
   std::vector<std::vector<std::pair<std::uint32_t, bool>>>
       neighbours;                  ///< of each polygon: the other one, whether opposed
   std::vector<std::uint8_t> open;  ///< of each polygon: an edge without neighbour
+  std::vector<std::uint8_t> lone;  ///< of each polygon: an edge that no other polygon has at all
 
-  explicit ShellGraph(const Soup& soup) : neighbours(soup.polygons.size()), open(soup.polygons.size(), 0) {
+  /// @param across_parts  whether two polygons hang together that alone have an edge, but are of different parts
+  ShellGraph(const Soup& soup, bool across_parts)
+      : neighbours(soup.polygons.size()), open(soup.polygons.size(), 0), lone(soup.polygons.size(), 0) {
     const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
     for_each_edge_group(uses, [&](std::size_t first, std::size_t last) {
-      if (last - first == 2) {
+      if (last - first == 1) lone[uses[first].polygon] = 1;
+      if (last - first == 2 && across_parts) {
         connect(uses[first], uses[first + 1]);
       } else {
         connect_within_parts(soup, uses, first, last);
@@ -58,6 +62,7 @@ struct Shell {
   std::vector<std::uint32_t> polygons;
   std::vector<std::uint8_t> turned;
   bool closed = true;
+  bool sealed = true;  ///< none of its polygons has an edge of its own
   bool one_sided = false;
 };
 
@@ -69,6 +74,7 @@ Shell grow(const ShellGraph& graph, std::uint32_t seed, std::vector<std::uint8_t
   for (std::size_t i = 0; i < shell.polygons.size(); ++i) {
     const std::uint32_t p = shell.polygons[i];
     shell.closed = shell.closed && graph.open[p] == 0;
+    shell.sealed = shell.sealed && graph.lone[p] == 0;
     for (const auto& [next, opposed] : graph.neighbours[p]) {
       const auto wanted = static_cast<std::uint8_t>((state[p] == kTurned) != opposed ? kTurned : 1);
       if (state[next] == 0) {
@@ -85,24 +91,41 @@ Shell grow(const ShellGraph& graph, std::uint32_t seed, std::vector<std::uint8_t
 
 Point corner_of(const Soup& soup, std::uint32_t polygon) { return soup.points[soup.polygons[polygon].loops[0][0]]; }
 
-/// Whether the shell looks the wrong way once its polygons look as the first one does.
-bool is_inside_out(const Soup& soup, const Shell& shell) {
-  double volume = 0.0;
-  double area = 0.0;
+/// What a shell holds once its polygons look as the first one does.
+struct ShellFigures {
+  double volume = 0.0;  ///< [m³]
+  double area = 0.0;    ///< [m²]
   double turned_area = 0.0;
-  const Point origin = corner_of(soup, shell.polygons[0]);
+
+  [[nodiscard]] bool holds_volume() const { return std::abs(volume) > kNoVolume * std::pow(area, 1.5); }
+};
+
+ShellFigures figures_of(const Soup& soup, const Shell& shell) {
+  ShellFigures figures;
+  // From its middle all sides of a shell add up, even where a piece of it is missing.
+  Box box;
+  for (const std::uint32_t p : shell.polygons) {
+    for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t) { box.add(soup.points[a]); });
+  }
+  const Point origin = box.centre();
   for (std::size_t i = 0; i < shell.polygons.size(); ++i) {
     const SoupPolygon& polygon = soup.polygons[shell.polygons[i]];
     Vector doubled;
     for (const std::vector<std::uint32_t>& loop : polygon.loops) doubled = doubled + newell(soup.points, loop);
     const double part = dot(corner_of(soup, shell.polygons[i]) - origin, doubled) / 6.0;
-    volume += shell.turned[i] != 0 ? -part : part;
-    area += 0.5 * norm(doubled);
-    if (shell.turned[i] != 0) turned_area += 0.5 * norm(doubled);
+    figures.volume += shell.turned[i] != 0 ? -part : part;
+    figures.area += 0.5 * norm(doubled);
+    if (shell.turned[i] != 0) figures.turned_area += 0.5 * norm(doubled);
   }
-  if (shell.closed && std::abs(volume) > kNoVolume * std::pow(area, 1.5)) return volume < 0.0;
+  return figures;
+}
+
+/// Whether the shell looks the wrong way once its polygons look as the first one does.
+bool is_inside_out(const Soup& soup, const Shell& shell) {
+  const ShellFigures figures = figures_of(soup, shell);
+  if (shell.closed && figures.holds_volume()) return figures.volume < 0.0;
   // Equal halves stay as the first polygon is, whatever rounding says.
-  return turned_area > (0.5 + 1e-9) * area;
+  return figures.turned_area > (0.5 + 1e-9) * figures.area;
 }
 
 void orient(Soup& soup, const Shell& shell, DefectList& defects) {
@@ -128,8 +151,30 @@ void orient(Soup& soup, const Shell& shell, DefectList& defects) {
 
 }  // namespace
 
+bool mark_solids(Soup& soup) {
+  bool changed = false;
+  const ShellGraph graph(soup, false);
+  std::vector<std::uint8_t> state(soup.polygons.size(), 0);
+  for (std::uint32_t seed = 0; seed < soup.polygons.size(); ++seed) {
+    if (state[seed] != 0) continue;
+    const Shell shell = grow(graph, seed, state);
+    const ShellFigures figures = figures_of(soup, shell);
+    const bool solid = shell.sealed && !shell.one_sided && figures.holds_volume();
+    for (std::size_t i = 0; i < shell.polygons.size(); ++i) {
+      const bool outward = (shell.turned[i] != 0) == (figures.volume < 0.0);
+      const auto mark = static_cast<std::int8_t>(!solid ? 0 : outward ? 1 : -1);
+      SoupPolygon& polygon = soup.polygons[shell.polygons[i]];
+      if (polygon.outward == mark) continue;
+      polygon.outward = mark;
+      polygon.checked = false;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
 std::size_t orient_shells(Soup& soup, DefectList& defects) {
-  const ShellGraph graph(soup);
+  const ShellGraph graph(soup, true);
   std::vector<std::uint8_t> state(soup.polygons.size(), 0);
   std::size_t closed = 0;
   for (std::uint32_t seed = 0; seed < soup.polygons.size(); ++seed) {

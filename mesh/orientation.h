@@ -16,4 +16,9 @@ namespace clerestory::mesh {
 /// @return the number of closed shells
 std::size_t orient_shells(Soup& soup, DefectList& defects);
 
+/// Fills SoupPolygon::outward: of shells that hold a volume, whichever way round their polygons are wound. Edges of a solid that lost a
+/// piece to another thing's have that one's polygon, so that it is a solid still. Polygons that were marked otherwise are to be checked anew.
+/// @return whether there are such
+bool mark_solids(Soup& soup);
+
 }  // namespace clerestory::mesh

@@ -21,6 +21,8 @@ struct SoupPolygon {
   bool checked = false;      ///< for what it overlaps and crosses
   bool covered = false;      ///< a piece that lies on another, which stays in its place
   bool covering = false;     ///< stays where others lie on it
+  /// Of a closed solid: 1 where the front looks out of it, -1 where it looks in; else 0. Pieces keep it.
+  std::int8_t outward = 0;
   std::uint32_t line = 0;
 };
 
