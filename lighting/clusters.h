@@ -24,6 +24,8 @@ class Clusters {
   Clusters(const Scene& scene, const mesh::ElementTree& tree);
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  /// So few surfaces that all of them may link to each other: sampling bundles of them would spare nothing.
+  [[nodiscard]] bool are_few() const { return order_.size() <= kFew; }
   /// The cluster of everything is number 0; there is none when the tree has no roots.
   [[nodiscard]] bool is_leaf(std::uint32_t c) const { return nodes_[c].count == 1; }
   [[nodiscard]] std::uint32_t left(std::uint32_t c) const { return c + 1; }
@@ -31,6 +33,8 @@ class Clusters {
   enum class Kind { kPlain, kPanes, kShining };
   /// The biggest clusters of one kind each.
   [[nodiscard]] std::vector<std::uint32_t> tops() const;
+  /// What links begin with: the tops; each surface, where there are few.
+  [[nodiscard]] std::vector<std::uint32_t> beginnings() const;
   /// Of a cluster that one of the tops holds.
   [[nodiscard]] Kind kind(std::uint32_t c) const {
     return static_cast<Kind>(order_kind_[nodes_[c].begin] / kDirections);
@@ -66,6 +70,7 @@ class Clusters {
   };
 
   static constexpr int kDirections = 6;
+  static constexpr std::size_t kFew = 32;
 
   void build(const mesh::ElementTree& tree, std::uint32_t begin, std::uint32_t end);
   /// Parts a range of roots in two; gives where the second part begins.

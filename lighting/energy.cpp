@@ -102,6 +102,10 @@ double reciprocity(const Solution& solution, const std::vector<Link>& links) {
     const std::uint32_t r = link.receiver.value;
     const std::uint32_t s = link.source.element().value;
     const double g = tree.area(link.receiver) * link.factor;
+    if (link.mutual) {
+      all += g;
+      continue;
+    }
     const auto other = exchange.find({s, r});
     if (other == exchange.end()) {
       exchange[{r, s}] += g;
@@ -113,15 +117,19 @@ double reciprocity(const Solution& solution, const std::vector<Link>& links) {
   return all > 0.0 ? differs / all : 0.0;
 }
 
-/// For each element, the sum of the form factors of opaque sources at itself and above.
+/// For each element, the sum of the form factors of opaque sources at itself and above, as the links have them: not closed.
 std::vector<double> factor_sums(const Solution& solution, const std::vector<Link>& links,
                                 const std::vector<ElementId>& elements) {
   const mesh::ElementTree& tree = solution.tree();
   std::vector<Vector> slopes(tree.size());
   std::vector<double> sums(tree.size(), 0.0);
-  for (const Link& link : links) {
+  const auto add = [&](const Link& link) {
     sums[link.receiver.index()] += link.factor;
     slopes[link.receiver.index()] = slopes[link.receiver.index()] + Vector{link.slope_u, link.slope_v, 0.0};
+  };
+  for (const Link& link : links) {
+    add(link);
+    if (link.mutual) add(reversed(link, tree));
   }
   std::vector<double> result;
   for (const ElementId e : elements) {

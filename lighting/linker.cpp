@@ -175,6 +175,9 @@ double visibility_noise(double factor, double rays, double passing) {
   return factor * std::sqrt(share * (1.0 - share) / rays);
 }
 
+/// Where nothing shines nothing is tolerated, and nothing is wrong.
+double share_of(double error, double most) { return error <= 0.0 ? 0.0 : error / most; }
+
 }  // namespace
 
 Linker::Linker(const Solution& solution, const Clusters& clusters, const Importance& importance, double tolerance_lux,
@@ -189,7 +192,12 @@ double Linker::tolerance(ElementId receiver) const {
 }
 
 bool Linker::holds(const Link& link) const {
-  if (link.rough) return most_light(link.receiver, link.source) <= tolerance(link.receiver);
+  return strain(link) <= 1.0 && (!link.mutual || strain(reversed(link, solution_.tree())) <= 1.0);
+}
+
+double Linker::strain(const Link& link) const {
+  const double most = tolerance(link.receiver);
+  if (link.rough) return share_of(most_light(link.receiver, link.source), most);
   double mean = 0.0;
   double deviation = 0.0;
   if (link.source.is_cluster()) {
@@ -208,10 +216,24 @@ bool Linker::holds(const Link& link) const {
   const double distance = std::max(1e-9, norm(centre - tree.centroid(link.receiver)));
   const double unevenness = link.source.is_cluster() ? 1.0 : std::min(1.0, radius / distance);
   const double error = link.error * mean + link.factor * deviation * unevenness;
-  return error <= tolerance(link.receiver);
+  return share_of(error, most);
 }
 
 LinkDecision::Kind Linker::split_of(const Link& link) const {
+  if (!link.mutual) return split_for_receiver(link);
+  const Link other = reversed(link, solution_.tree());
+  if (strain(link) >= strain(other)) return split_for_receiver(link);
+  switch (split_for_receiver(other)) {
+    case LinkDecision::Kind::kSplitReceiver:
+      return LinkDecision::Kind::kSplitSource;
+    case LinkDecision::Kind::kSplitSource:
+      return LinkDecision::Kind::kSplitReceiver;
+    default:
+      return LinkDecision::Kind::kLink;
+  }
+}
+
+LinkDecision::Kind Linker::split_for_receiver(const Link& link) const {
   using Kind = LinkDecision::Kind;
   const mesh::ElementTree& tree = solution_.tree();
   const double own = tree.radius(link.receiver);
@@ -240,18 +262,28 @@ bool Linker::overlaps(ElementId receiver, std::uint32_t cluster) const {
 
 LinkDecision Linker::decide(const LinkCandidate& candidate) const {
   using Kind = LinkDecision::Kind;
-  LinkDecision decision;
-  std::optional<Link> link;
-  if (candidate.source.is_cluster()) {
-    if (overlaps(candidate.receiver, candidate.source.cluster())) return {Kind::kSplitSource, {}};
-    link = link_cluster(candidate);
-  } else {
-    link = link_element(candidate);
-  }
-  if (!link) return decision;
-  decision.link = *link;
-  decision.kind = holds(*link) ? Kind::kLink : split_of(*link);
-  return decision;
+  if (candidate.source.is_cluster() && overlaps(candidate.receiver, candidate.source.cluster()))
+    return {Kind::kSplitSource, {}};
+  const std::optional<Link> made = link(candidate);
+  if (!made) return {};
+  return {holds(*made) ? Kind::kLink : split_of(*made), *made};
+}
+
+std::optional<Link> Linker::link(const LinkCandidate& candidate) const {
+  return candidate.source.is_cluster() ? link_cluster(candidate) : link_element(candidate);
+}
+
+Visibility Linker::prove(ElementId receiver, ElementId source) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  return solution_.scene().shafts->classify(end_of(tree, receiver), end_of(tree, source));
+}
+
+LinkDecision::Kind Linker::split_at_open_ends(const Link& link, double most) const {
+  if (!link.mutual) return LinkDecision::Kind::kLink;
+  const double here = solution_.is_open(link.receiver) ? link.error : 0.0;
+  const double there = solution_.is_open(link.source.element()) ? link.back_error : 0.0;
+  if (std::max(here, there) <= most) return LinkDecision::Kind::kLink;
+  return here >= there ? LinkDecision::Kind::kSplitReceiver : LinkDecision::Kind::kSplitSource;
 }
 
 double Linker::most_light(ElementId receiver, LinkSource source) const {
@@ -329,6 +361,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.receiver = r;
   link.source = candidate.source;
   link.visibility = candidate.visibility;
+  link.mutual = candidate.mutual;
   if (link.visibility == Visibility::kPartial) link.visibility = scene.shafts->classify(end_r, end_s);
   if (link.visibility == Visibility::kHidden) return std::nullopt;
 
@@ -360,11 +393,15 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.slope_v = static_cast<float>(own_share * own.fit.line.slope_v);
   link.moment_u = static_cast<float>(source_share * sources.fit.line.slope_u);
   link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
-  const double unoccluded = exchange / tree.area(r);
-  const double missed = receiver_small ? 0.0 : share * std::abs(large.unoccluded - unoccluded);
-  link.error = static_cast<float>(own_share * own.fit.residual + missed +
-                                  visibility_noise(unoccluded, small.rays, small.passing) +
-                                  unseen_peak(r, share * exchange, tree.area(s)));
+  // What the line over a piece misses there, by its own places; those of a large piece also miss some of the mean.
+  const auto error_over = [&](ElementId piece, double other_area, const View& view, bool is_small) {
+    const double unoccluded = exchange / tree.area(piece);
+    const double missed = is_small ? 0.0 : share * std::abs(view.unoccluded - unoccluded);
+    return (is_small ? 1.0 : share) * view.fit.residual + missed +
+           visibility_noise(unoccluded, small.rays, small.passing) + unseen_peak(piece, share * exchange, other_area);
+  };
+  link.error = static_cast<float>(error_over(r, tree.area(s), own, receiver_small));
+  if (link.mutual) link.back_error = static_cast<float>(error_over(s, tree.area(r), sources, !receiver_small));
   return link;
 }
 

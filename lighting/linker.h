@@ -16,6 +16,7 @@ struct LinkCandidate {
   mesh::ElementId receiver;
   LinkSource source;
   mesh::Visibility visibility = mesh::Visibility::kPartial;
+  bool mutual = false;  ///< both are elements, proven to see each other, and both receive
 };
 
 /// What became of a candidate.
@@ -36,6 +37,13 @@ class Linker {
          std::uint64_t seed);
 
   [[nodiscard]] LinkDecision decide(const LinkCandidate& candidate) const;
+  /// The link of a pair, good enough or not; none where the pair does not see each other.
+  [[nodiscard]] std::optional<Link> link(const LinkCandidate& candidate) const;
+  /// What can be proven of two elements without rays.
+  [[nodiscard]] mesh::Visibility prove(mesh::ElementId receiver, mesh::ElementId source) const;
+  /// How a mutual link is refined at ends that other links have opened, whose parts would share more than `most` of what its lines
+  /// miss; kLink where nothing is to be done.
+  [[nodiscard]] LinkDecision::Kind split_at_open_ends(const Link& link, double most) const;
   /// Whether a link made at a coarser tolerance, or with less light, still is good enough.
   [[nodiscard]] bool holds(const Link& link) const;
   /// How a link that does not hold is refined.
@@ -45,6 +53,9 @@ class Linker {
 
  private:
   [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;
+  /// Error at the receiver over what it tolerates.
+  [[nodiscard]] double strain(const Link& link) const;
+  [[nodiscard]] LinkDecision::Kind split_for_receiver(const Link& link) const;
   /// A bound on the illuminance that a source can give, were all of it to face the receiver [lux].
   [[nodiscard]] double most_light(mesh::ElementId receiver, LinkSource source) const;
   [[nodiscard]] bool cannot_matter(mesh::ElementId receiver, mesh::ElementId source) const;

@@ -5,7 +5,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
 
+#include "lighting/arrivals.h"
+#include "lighting/closure.h"
 #include "lighting/hemisphere_links.h"
 #include "lighting/linker.h"
 #include "lighting/mirror_links.h"
@@ -21,7 +26,9 @@ namespace {
 /// Tolerances of the passes, as multiples of the last.
 constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
 /// Iterations cost next to nothing beside links: they go on until what is missing is this share of the accuracy.
-constexpr double kConverged = 1e-3;
+constexpr double kConverged = 3e-4;
+/// Error of a proven link's factor that parts of its ends may share.
+constexpr double kMissed = 0.004;
 /// What a node sees by rays: what most surfaces receive, in terms of the mean at the sensors, and how far single rays differ from it.
 constexpr double kBrightness = 2.0;
 constexpr double kSpread = 0.7;
@@ -50,11 +57,13 @@ class Solver {
                           kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_, options_.seed);
       if (pass > 0) start = reopen(linker);
       refine(linker, std::move(start));
+      if (pass + 1 == kPasses.size()) hand_down(linker);
       sort_links();
       iterate();
       progress.advance(static_cast<double>(pass + 1) / kPasses.size());
     }
     see_mirrors();
+    close_hemispheres(solution_, arrivals_);
     iterate();
     add_errors();
     return {std::move(all_), std::move(clusters_), iterations_, convergence_};
@@ -71,7 +80,7 @@ class Solver {
   std::vector<LinkCandidate> begin() {
     const auto roots = solution_.tree().roots();
     std::vector<HemisphereView> views(roots.size());
-    parallel_for(roots.size(), [&](std::size_t i) { views[i] = look(roots[i]); });
+    if (!clusters_.are_few()) parallel_for(roots.size(), [&](std::size_t i) { views[i] = look(roots[i]); });
     std::vector<LinkCandidate> start;
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const bool looks = views[i].rays > 0;
@@ -80,7 +89,7 @@ class Solver {
           direct.value += static_cast<float>(views[i].mirrored_sky_lux);
         lookers_.push_back({roots[i], std::move(views[i])});
       }
-      for (const std::uint32_t top : clusters_.tops()) {
+      for (const std::uint32_t top : clusters_.beginnings()) {
         if (!looks || clusters_.kind(top) == Clusters::Kind::kShining)
           start.push_back({roots[i], source_of(top), Visibility::kPartial});
       }
@@ -115,33 +124,102 @@ class Solver {
     for (std::size_t i = 0; i < links_.size(); ++i) {
       // Links to clusters follow how bright their members are, which the last pass has changed.
       if (links_[i].source.is_cluster() || (good[i] == 0 && links_[i].rough)) {
-        candidates.push_back({links_[i].receiver, links_[i].source, links_[i].visibility});
+        candidates.push_back(pair_of(links_[i]));
         continue;
       }
       const auto kind = good[i] != 0 ? LinkDecision::Kind::kLink : linker.split_of(links_[i]);
       if (kind == LinkDecision::Kind::kLink) {
         kept.push_back(links_[i]);
       } else {
-        split({links_[i].receiver, links_[i].source, links_[i].visibility}, kind, candidates);
+        split(pair_of(links_[i]), kind, candidates);
       }
     }
     links_ = std::move(kept);
     return candidates;
   }
 
+  static LinkCandidate pair_of(const Link& link) { return {link.receiver, link.source, link.visibility, link.mutual}; }
+
+  /// Clusters first, until all that is left are pairs of elements: those that see each other are then refined as one.
   void refine(const Linker& linker, std::vector<LinkCandidate> candidates) {
+    std::vector<LinkCandidate> elements;
     while (!candidates.empty()) {
-      std::vector<LinkDecision> decisions(candidates.size());
-      parallel_for(
-          candidates.size(), [&](std::size_t i) { decisions[i] = linker.decide(candidates[i]); }, 16);
-      std::vector<LinkCandidate> next;
-      for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const LinkDecision& d = decisions[i];
-        if (d.kind == LinkDecision::Kind::kLink) links_.push_back(d.link);
-        if (d.kind == LinkDecision::Kind::kLink || d.kind == LinkDecision::Kind::kNone) continue;
-        split({candidates[i].receiver, candidates[i].source, d.link.visibility}, d.kind, next);
+      std::vector<LinkCandidate> clusters;
+      for (const LinkCandidate& c : candidates) (c.source.is_cluster() ? clusters : elements).push_back(c);
+      candidates = refine_once(linker, clusters);
+    }
+    elements = join(linker, elements);
+    while (!elements.empty()) elements = refine_once(linker, elements);
+  }
+
+  /// Links what is good enough, and gives what the rest is split into.
+  std::vector<LinkCandidate> refine_once(const Linker& linker, const std::vector<LinkCandidate>& candidates) {
+    std::vector<LinkDecision> decisions(candidates.size());
+    parallel_for(
+        candidates.size(), [&](std::size_t i) { decisions[i] = linker.decide(candidates[i]); }, 16);
+    std::vector<LinkCandidate> next;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const LinkDecision& d = decisions[i];
+      if (d.kind == LinkDecision::Kind::kLink) links_.push_back(d.link);
+      if (d.kind == LinkDecision::Kind::kLink || d.kind == LinkDecision::Kind::kNone) continue;
+      LinkCandidate pair = candidates[i];
+      pair.visibility = d.link.visibility;
+      split(pair, d.kind, next);
+    }
+    return next;
+  }
+
+  /// Pairs of which both ways are asked for become mutual where they are proven to see each other. Panes stay apart: links to them are
+  /// followed to what they mirror.
+  [[nodiscard]] std::vector<LinkCandidate> join(const Linker& linker, const std::vector<LinkCandidate>& pairs) const {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
+    std::vector<std::size_t> other(pairs.size(), pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const std::uint32_t r = pairs[i].receiver.value;
+      const std::uint32_t s = pairs[i].source.element().value;
+      if (is_pane(pairs[i].receiver) || is_pane(pairs[i].source.element())) continue;
+      if (const auto found = known.find({s, r}); found != known.end()) {
+        other[found->second] = i;
+      } else {
+        known[{r, s}] = i;
       }
-      candidates = std::move(next);
+    }
+    std::vector<Visibility> proven(pairs.size(), Visibility::kPartial);
+    parallel_for(pairs.size(), [&](std::size_t i) {
+      if (other[i] < pairs.size()) proven[i] = linker.prove(pairs[i].receiver, pairs[i].source.element());
+    });
+    std::vector<std::uint8_t> joined(pairs.size(), 0);
+    std::vector<LinkCandidate> result;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (joined[i] != 0) continue;
+      const bool mutual = proven[i] == Visibility::kVisible;
+      if (mutual) joined[other[i]] = 1;
+      result.push_back(mutual ? LinkCandidate{pairs[i].receiver, pairs[i].source, proven[i], true} : pairs[i]);
+    }
+    return result;
+  }
+
+  /// Replaces proven links at nodes that others have opened by links of their parts, where the parts would share too much of what the
+  /// links' lines miss. Makes no new elements and casts no rays.
+  void hand_down(const Linker& linker) {
+    std::vector<Link> made = std::move(links_);
+    links_.clear();
+    while (!made.empty()) {
+      std::vector<LinkCandidate> parts;
+      for (const Link& link : made) {
+        const auto kind = linker.split_at_open_ends(link, kMissed);
+        if (kind == LinkDecision::Kind::kLink)
+          links_.push_back(link);
+        else
+          split(pair_of(link), kind, parts);
+      }
+      std::vector<std::optional<Link>> found(parts.size());
+      parallel_for(
+          parts.size(), [&](std::size_t i) { found[i] = linker.link(parts[i]); }, 16);
+      made.clear();
+      for (const std::optional<Link>& link : found) {
+        if (link) made.push_back(*link);
+      }
     }
   }
 
@@ -151,7 +229,8 @@ class Solver {
     if (kind == LinkDecision::Kind::kSplitReceiver) {
       solution_.open(pair.receiver);
       for (std::size_t k = 0; k < tree.child_count(pair.receiver); ++k) {
-        out.push_back({ElementId(tree.first_child(pair.receiver).index() + k), pair.source, proven});
+        const ElementId child(tree.first_child(pair.receiver).index() + k);
+        out.push_back({child, pair.source, proven, pair.mutual});
       }
     } else if (pair.source.is_cluster()) {
       const std::uint32_t c = pair.source.cluster();
@@ -161,7 +240,8 @@ class Solver {
       const ElementId s = pair.source.element();
       solution_.open(s);
       for (std::size_t k = 0; k < tree.child_count(s); ++k) {
-        out.push_back({pair.receiver, LinkSource::element(ElementId(tree.first_child(s).index() + k)), proven});
+        const ElementId child(tree.first_child(s).index() + k);
+        out.push_back({pair.receiver, LinkSource::element(child), proven, pair.mutual});
       }
     }
   }
@@ -175,7 +255,7 @@ class Solver {
       all_.insert(all_.end(), links.begin(), links.end());
     }
     std::stable_sort(all_.begin(), all_.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
-    starts_ = starts_of(all_);
+    arrivals_ = Arrivals(all_, solution_.tree());
   }
 
   /// Up to here panes stood in for what they mirror, as diffuse surfaces; from here on it is seen in them.
@@ -202,45 +282,34 @@ class Solver {
 
   [[nodiscard]] bool is_mirror(const Link& link) const {
     if (link.source.is_cluster()) return clusters_.kind(link.source.cluster()) == Clusters::Kind::kPanes;
-    return solution_.scene().is_pane(solution_.tree().face_side(link.source.element()));
+    return is_pane(link.source.element());
   }
 
-  /// Where the links of each receiver begin; the links are sorted.
-  static std::vector<std::size_t> starts_of(const std::vector<Link>& links) {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      if (i == 0 || links[i].receiver != links[i - 1].receiver) starts.push_back(i);
-    }
-    starts.push_back(links.size());
-    return starts;
-  }
+  [[nodiscard]] bool is_pane(ElementId e) const { return solution_.scene().is_pane(solution_.tree().face_side(e)); }
 
-  [[nodiscard]] std::span<const float> radiosity_of(LinkSource source) const {
-    return source.is_cluster() ? clusters_.radiosity(source.cluster()) : solution_.radiosity(source.element());
+  [[nodiscard]] Solution::Sent sent_by(LinkSource source, std::size_t channel) const {
+    if (!source.is_cluster()) return solution_.sent(source.element(), channel);
+    return {clusters_.radiosity(source.cluster())[channel], {}};
   }
 
   void gather() {
     parallel_for(
-        starts_.size() - 1,
-        [&](std::size_t run) {
-          const auto sums = solution_.gathered(all_[starts_[run]].receiver);
+        arrivals_.receivers(),
+        [&](std::size_t i) {
+          const auto sums = solution_.gathered(arrivals_.receiver(i));
           std::fill(sums.begin(), sums.end(), LinearValue{});
-          for (std::size_t i = starts_[run]; i < starts_[run + 1]; ++i) {
-            const Link& link = all_[i];
-            const auto b = radiosity_of(link.source);
-            for (std::size_t c = 0; c < sums.size(); ++c) {
-              sums[c].value += link.factor * b[c];
-              sums[c].slope_u += link.slope_u * b[c];
-              sums[c].slope_v += link.slope_v * b[c];
-            }
-            if (link.source.is_cluster()) continue;
-            const auto m = solution_.moments(link.source.element());
-            for (std::size_t c = 0; c < sums.size(); ++c) {
-              sums[c].value += link.moment_u * m[c].u + link.moment_v * m[c].v;
-            }
-          }
+          arrivals_.visit(i, [&](const Link& link) { add(link, sums); });
         },
         64);
+  }
+
+  void add(const Link& link, std::span<LinearValue> sums) const {
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      const Solution::Sent sent = sent_by(link.source, c);
+      sums[c].value += link.factor * sent.value + link.moment_u * sent.moments.u + link.moment_v * sent.moments.v;
+      sums[c].slope_u += link.slope_u * sent.value;
+      sums[c].slope_v += link.slope_v * sent.value;
+    }
   }
 
   /// The links' errors at their receivers. Errors of different links are independent.
@@ -249,11 +318,17 @@ class Solver {
       const double error = looker.view.estimate(solution_).error_lux;
       solution_.add_error(looker.root, error * error);
     }
-    for (const Link& link : all_) {
-      const double mean = link.source.is_cluster() ? clusters_.radiosity_mean(link.source.cluster())
-                                                   : solution_.radiosity_mean(link.source.element());
-      solution_.add_error(link.receiver, link.error * mean * link.error * mean);
+    for (std::size_t i = 0; i < arrivals_.receivers(); ++i) {
+      arrivals_.visit(i, [&](const Link& link) {
+        const double error = link.error * mean_of(link.source);
+        solution_.add_error(link.receiver, error * error);
+      });
     }
+  }
+
+  [[nodiscard]] double mean_of(LinkSource source) const {
+    return source.is_cluster() ? clusters_.radiosity_mean(source.cluster())
+                               : solution_.radiosity_mean(source.element());
   }
 
   void iterate() {
@@ -279,7 +354,7 @@ class Solver {
   std::vector<Link> links_;
   std::vector<Link> opening_links_;
   std::vector<Link> all_;
-  std::vector<std::size_t> starts_;
+  Arrivals arrivals_;  ///< of all_
   double scale_lux_;
   SolveOptions options_;
   Clusters clusters_;

@@ -12,6 +12,12 @@ namespace clerestory::lighting {
 using mesh::ElementId;
 using mesh::Vector;
 
+namespace {
+
+constexpr LinearValue kOpen{1.0F, 0.0F, 0.0F};  ///< nothing is scaled
+
+}  // namespace
+
 Solution::Solution(const Scene& scene, mesh::ElementTree tree) : scene_(&scene), tree_(std::move(tree)) { grow(); }
 
 void Solution::grow() {
@@ -26,6 +32,7 @@ void Solution::grow() {
   variance_.resize(n, 0.0F);
   deviation_.resize(n, 0.0F);
   error2_.resize(n, 0.0F);
+  closing_.resize(n, kOpen);
   change_.resize(n, 0.0F);
 }
 
@@ -107,8 +114,43 @@ void Solution::push(ElementId e, const ElementId* parent) {
     }
     irradiance_[e.index() * n + c] = sum;
   }
-  if (!is_open(e)) return;
+  if (!is_open(e)) {
+    apply_closing(e);
+    return;
+  }
   for (std::size_t k = 0; k < tree_.child_count(e); ++k) push(ElementId(tree_.first_child(e).index() + k), &e);
+}
+
+void Solution::apply_closing(ElementId e) {
+  const LinearValue& scale = closing_[e.index()];
+  if (scale == kOpen) return;
+  const std::size_t n = channels();
+  for (std::size_t c = 0; c < n; ++c) {
+    LinearValue straight;
+    for (ElementId up = e; up.valid(); up = tree_.parent(up)) {
+      const LinearValue& given = direct_[up.index() * n + c];
+      const Vector d = tree_.centroid(e) - tree_.centroid(up);
+      straight.value += given.value + given.slope_u * static_cast<float>(dot(d, tree_.axes(e).u)) +
+                        given.slope_v * static_cast<float>(dot(d, tree_.axes(e).v));
+      straight.slope_u += given.slope_u;
+      straight.slope_v += given.slope_v;
+    }
+    LinearValue& all = irradiance_[e.index() * n + c];
+    const LinearValue linked{all.value - straight.value, all.slope_u - straight.slope_u,
+                             all.slope_v - straight.slope_v};
+    const LinearValue scaled = product(scale, linked, tree_.second_moments(e));
+    all = {straight.value + scaled.value, straight.slope_u + scaled.slope_u, straight.slope_v + scaled.slope_v};
+  }
+}
+
+Solution::Sent Solution::sent(ElementId e, std::size_t channel) const {
+  const float value = radiosity_[e.index() * channels() + channel];
+  const Moments& m = moments_[e.index() * channels() + channel];
+  const LinearValue& scale = closing_[e.index()];
+  if (scale == kOpen) return {value, m};
+  const Moments own = moments_of(scale, tree_.second_moments(e));
+  return {scale.value * value + scale.slope_u * m.u + scale.slope_v * m.v,
+          {scale.value * m.u + value * own.u, scale.value * m.v + value * own.v}};
 }
 
 void Solution::pull(ElementId e) {
@@ -158,11 +200,10 @@ void Solution::pull_children(ElementId e) {
     const auto du = static_cast<float>(dot(d, tree_.axes(e).u));
     const auto dv = static_cast<float>(dot(d, tree_.axes(e).v));
     for (std::size_t c = 0; c < n; ++c) {
-      const float b = radiosity_[child.index() * n + c];
-      const Moments& m = moments_[child.index() * n + c];
-      radiosity[c] += share * b;
-      moments[c].u += share * (m.u + b * du);
-      moments[c].v += share * (m.v + b * dv);
+      const Sent part = sent(child, c);
+      radiosity[c] += share * part.value;
+      moments[c].u += share * (part.moments.u + part.value * du);
+      moments[c].v += share * (part.moments.v + part.value * dv);
     }
     const double m = mean_[child.index()];
     mean += share * m;

@@ -16,6 +16,8 @@ struct LinearValue {
   float value = 0.0F;
   float slope_u = 0.0F;
   float slope_v = 0.0F;
+
+  bool operator==(const LinearValue&) const = default;
 };
 
 /// First moments of a value over a planar node, per area.
@@ -23,6 +25,21 @@ struct Moments {
   float u = 0.0F;
   float v = 0.0F;
 };
+
+/// The product of two linear functions over a node, as the line that fits it best but for third moments: as an operator it is
+/// symmetric under integration over the node.
+inline LinearValue product(const LinearValue& a, const LinearValue& b, const mesh::SecondMoments& area) {
+  const double covariance = area.uu * a.slope_u * b.slope_u +
+                            area.uv * (a.slope_u * b.slope_v + a.slope_v * b.slope_u) + area.vv * a.slope_v * b.slope_v;
+  return {a.value * b.value + static_cast<float>(covariance), a.value * b.slope_u + a.slope_u * b.value,
+          a.value * b.slope_v + a.slope_v * b.value};
+}
+
+/// First moments of a line over a node.
+inline Moments moments_of(const LinearValue& line, const mesh::SecondMoments& area) {
+  return {static_cast<float>(area.uu * line.slope_u + area.uv * line.slope_v),
+          static_cast<float>(area.uv * line.slope_u + area.vv * line.slope_v)};
+}
 
 /// The unknown: irradiance and radiosity of the elements, nodes × channels. Nodes above the open ones carry averages. A node is open
 /// when its children take part; nodes that take part and are not open are the elements of the solution.
@@ -60,7 +77,16 @@ class Solution {
   [[nodiscard]] std::span<const LinearValue> irradiance(mesh::ElementId e) const {
     return std::span(irradiance_).subspan(e.index() * channels(), channels());
   }
-  /// Mean radiosity of a node [lm/m²]; valid after push_pull().
+  /// Scales what an element exchanges by links, both ways, so that its form factors add up to what they must; linear over the element,
+  /// 1 at first. Takes effect with the next push_pull().
+  void close(mesh::ElementId e, const LinearValue& scale) { closing_[e.index()] = scale; }
+  /// What links take from a node: its radiosity and moments, and those of an element as they are scaled.
+  struct Sent {
+    float value = 0.0F;
+    Moments moments;
+  };
+  [[nodiscard]] Sent sent(mesh::ElementId e, std::size_t channel) const;
+  /// Mean radiosity of a node [lm/m²]; valid after push_pull(). Above the elements: of what they send.
   [[nodiscard]] std::span<const float> radiosity(mesh::ElementId e) const {
     return std::span(radiosity_).subspan(e.index() * channels(), channels());
   }
@@ -88,6 +114,8 @@ class Solution {
 
  private:
   void push(mesh::ElementId e, const mesh::ElementId* parent);
+  /// Scales what came to an element by links.
+  void apply_closing(mesh::ElementId e);
   void pull(mesh::ElementId e);
   void pull_element(mesh::ElementId e);
   void pull_children(mesh::ElementId e);
@@ -106,6 +134,7 @@ class Solution {
   std::vector<float> variance_;  ///< inside the node, luminance
   std::vector<float> deviation_;
   std::vector<float> error2_;
+  std::vector<LinearValue> closing_;
   std::vector<float> change_;  ///< of an element's radiosity in the last push_pull, luminance
 };
 
