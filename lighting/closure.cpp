@@ -48,7 +48,7 @@ class Exchange {
       : solution_(solution), arrivals_(arrivals), sent_(solution.tree().size()), received_(solution.tree().size()) {}
 
   /// What arrives at elements if all elements send `values` [nodes].
-  void apply(const std::vector<LinearValue>& values, const std::vector<ElementId>& elements,
+  void apply(const std::vector<LinearValue>& values, std::span<const ElementId> elements,
              std::vector<LinearValue>& arrived) {
     for (const ElementId root : solution_.tree().roots()) pull(root, values);
     std::fill(received_.begin(), received_.end(), Line{});
@@ -97,8 +97,7 @@ class Exchange {
   }
 
   void add(const Link& link, Line& line) const {
-    if (link.source.is_cluster()) return;
-    const Sent& sent = sent_[link.source.element().index()];
+    const Sent sent = link.source.is_cluster() ? Sent{1.0, 0.0, 0.0} : sent_[link.source.element().index()];
     line.value += link.factor * sent.mean + link.moment_u * sent.u + link.moment_v * sent.v;
     line.u += link.slope_u * sent.mean;
     line.v += link.slope_v * sent.mean;
@@ -160,6 +159,21 @@ void close_hemispheres(Solution& solution, const Arrivals& arrivals) {
     if (worst <= kClosed) break;
   }
   for (const ElementId e : filled) solution.close(e, scale[e.index()]);
+}
+
+std::vector<double> factor_sums(const Solution& solution, const Arrivals& arrivals,
+                                std::span<const ElementId> elements) {
+  const mesh::ElementTree& tree = solution.tree();
+  std::vector<LinearValue> scale(tree.size());
+  for (const ElementId e : elements) scale[e.index()] = solution.closing(e);
+  std::vector<LinearValue> arrived(elements.size());
+  Exchange(solution, arrivals).apply(scale, elements, arrived);
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const ElementId e = elements[i];
+    sums.push_back(product(solution.closing(e), arrived[i], tree.second_moments(e)).value);
+  }
+  return sums;
 }
 
 }  // namespace clerestory::lighting

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "lighting/arrivals.h"
 #include "lighting/solution.h"
 
@@ -11,5 +14,9 @@ namespace clerestory::lighting {
 /// which keeps it symmetric (no flux is lost or won, what is dark stays dark), until all such sums are 1
 /// [Sinkhorn, Knopp 1967; van Leersum 1989]. Sets Solution::closing of those elements.
 void close_hemispheres(Solution& solution, const Arrivals& arrivals);
+
+/// For each element, the sum of the form factors of opaque sources by the links at itself and above, as the solution uses them.
+std::vector<double> factor_sums(const Solution& solution, const Arrivals& arrivals,
+                                std::span<const mesh::ElementId> elements);
 
 }  // namespace clerestory::lighting

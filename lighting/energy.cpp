@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "lighting/closure.h"
 #include "lighting/light_paths.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
@@ -117,33 +118,6 @@ double reciprocity(const Solution& solution, const std::vector<Link>& links) {
   return all > 0.0 ? differs / all : 0.0;
 }
 
-/// For each element, the sum of the form factors of opaque sources at itself and above, as the links have them: not closed.
-std::vector<double> factor_sums(const Solution& solution, const std::vector<Link>& links,
-                                const std::vector<ElementId>& elements) {
-  const mesh::ElementTree& tree = solution.tree();
-  std::vector<Vector> slopes(tree.size());
-  std::vector<double> sums(tree.size(), 0.0);
-  const auto add = [&](const Link& link) {
-    sums[link.receiver.index()] += link.factor;
-    slopes[link.receiver.index()] = slopes[link.receiver.index()] + Vector{link.slope_u, link.slope_v, 0.0};
-  };
-  for (const Link& link : links) {
-    add(link);
-    if (link.mutual) add(reversed(link, tree));
-  }
-  std::vector<double> result;
-  for (const ElementId e : elements) {
-    double sum = 0.0;
-    for (ElementId up = e; up.valid(); up = tree.parent(up)) {
-      const Vector d = tree.centroid(e) - tree.centroid(up);
-      sum += sums[up.index()] + slopes[up.index()].x * dot(d, tree.axes(e).u) +
-             slopes[up.index()].y * dot(d, tree.axes(e).v);
-    }
-    result.push_back(sum);
-  }
-  return result;
-}
-
 }  // namespace
 
 EnergyBalance energy_balance(Solution& solution, const Transport& transport, std::uint64_t seed) {
@@ -167,8 +141,8 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
   const double sent = flux_before.back();
   const double in = balance.emitted_lm + balance.received_lm;
   if (sent > 0.0) {
-    const Measured measured =
-        measure(solution, elements, flux_before, factor_sums(solution, transport.links, elements), seed);
+    const Arrivals arrivals(transport.links, tree);
+    const Measured measured = measure(solution, elements, flux_before, factor_sums(solution, arrivals, elements), seed);
     balance.left_lm = sent * (1.0 - measured.landed);
     balance.closure = std::abs(measured.factors - measured.landed);
   }

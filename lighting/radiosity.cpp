@@ -25,8 +25,8 @@ namespace {
 
 /// Tolerances of the passes, as multiples of the last.
 constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
-/// Iterations cost next to nothing beside links: they go on until what is missing is this share of the accuracy.
-constexpr double kConverged = 3e-4;
+/// Iterations cost next to nothing beside links: they go on, at any accuracy, until what is missing is this share of all flux.
+constexpr double kConverged = 1e-6;
 /// Error of a proven link's factor that parts of its ends may share.
 constexpr double kMissed = 0.004;
 /// What a node sees by rays: what most surfaces receive, in terms of the mean at the sensors, and how far single rays differ from it.
@@ -343,7 +343,7 @@ class Solver {
       const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
       convergence_ = change * q / (1.0 - q);
       last = change;
-      if (convergence_ <= kConverged * options_.accuracy) break;
+      if (convergence_ <= kConverged) break;
     }
     clusters_.pull(solution_);
   }

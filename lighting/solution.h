@@ -80,6 +80,7 @@ class Solution {
   /// Scales what an element exchanges by links, both ways, so that its form factors add up to what they must; linear over the element,
   /// 1 at first. Takes effect with the next push_pull().
   void close(mesh::ElementId e, const LinearValue& scale) { closing_[e.index()] = scale; }
+  [[nodiscard]] const LinearValue& closing(mesh::ElementId e) const { return closing_[e.index()]; }
   /// What links take from a node: its radiosity and moments, and those of an element as they are scaled.
   struct Sent {
     float value = 0.0F;

@@ -73,6 +73,53 @@ TEST(Linker, ProvenViewHasTheExactFormFactor) {
   EXPECT_NEAR(link.slope_v, 0.0, 2e-3);
 }
 
+TEST(Linker, MutualLinkIsTheSameSeenFromEitherEnd) {
+  const Pairs pairs(shining(unequal_squares()));
+  const ElementId a = pairs.root("lower");
+  const ElementId b = pairs.root("upper");
+  const Linker linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1);
+  ASSERT_EQ(linker.prove(a, b), Visibility::kVisible);
+  const Link there = linker.link({a, LinkSource::element(b), Visibility::kVisible, true}).value();
+  const Link back =
+      reversed(linker.link({b, LinkSource::element(a), Visibility::kVisible, true}).value(), pairs.solution.tree());
+  EXPECT_TRUE(there.mutual);
+  EXPECT_FLOAT_EQ(there.factor, back.factor);
+  EXPECT_FLOAT_EQ(there.slope_u, back.slope_u);
+  EXPECT_FLOAT_EQ(there.moment_v, back.moment_v);
+  EXPECT_FLOAT_EQ(there.error, back.error);
+  EXPECT_GT(there.back_error, 0.0F);
+}
+
+TEST(Linker, MutualLinkIsRefinedForTheEndThatAsksForIt) {
+  const Pairs pairs(shining(unequal_squares()));
+  const ElementId a = pairs.root("lower");
+  const ElementId b = pairs.root("upper");
+  const Link link = Linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1)
+                        .link({a, LinkSource::element(b), Visibility::kVisible, true})
+                        .value();
+  Link one_way = link;
+  one_way.mutual = false;
+  // The larger receiver tolerates less, by its area, and its places miss more.
+  const double between = 0.5 * (link.error + link.back_error) * 100.0 * 3.141592653589793;
+  const Linker linker(pairs.solution, pairs.clusters, pairs.importance,
+                      between * 0.5 * pairs.importance.of(pairs.solution.tree(), a), 1);
+  EXPECT_TRUE(linker.holds(one_way));
+  EXPECT_FALSE(linker.holds(link));
+  EXPECT_EQ(linker.split_of(link), Kind::kSplitSource);
+}
+
+TEST(Linker, OpenEndsShareNoMoreThanIsAllowedOfWhatALineMisses) {
+  Pairs pairs(shining(unequal_squares()));
+  const ElementId a = pairs.root("lower");
+  const ElementId b = pairs.root("upper");
+  const Linker linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1);
+  const Link link = linker.link({a, LinkSource::element(b), Visibility::kVisible, true}).value();
+  EXPECT_EQ(linker.split_at_open_ends(link, 0.0), Kind::kLink) << "neither is open";
+  pairs.solution.open(b);
+  EXPECT_EQ(linker.split_at_open_ends(link, 0.0), Kind::kSplitSource);
+  EXPECT_EQ(linker.split_at_open_ends(link, 1.0), Kind::kLink);
+}
+
 TEST(Linker, ProvenViewsAreReciprocal) {
   const Pairs pairs(shining(unequal_squares()));
   const ElementId a = pairs.root("lower");

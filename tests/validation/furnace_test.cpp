@@ -119,10 +119,10 @@ Furnace box_furnace(double accuracy) {
   return f;
 }
 
-TEST(Furnace, ConvexBoxIsExactToOneInTenThousandOnTheMeanAtAnyAccuracy) {
+TEST(Furnace, ConvexBoxIsExactToOneInTenThousandAtEveryElementAtAnyAccuracy) {
   for (const double accuracy : {0.08, 0.02, 0.005}) {
     const Furnace f = box_furnace(accuracy);
-    EXPECT_LE(std::abs(f.surfaces.mean), 1e-4) << accuracy;
+    EXPECT_LE(f.surfaces.largest, 1e-4) << accuracy;
     EXPECT_LE(std::abs(f.sensors.mean), 1e-4) << accuracy;
     EXPECT_LE(std::abs(f.results.energy.residual), 1e-4) << accuracy;
     EXPECT_LE(f.results.energy.closure, 1e-4) << accuracy;
@@ -130,13 +130,12 @@ TEST(Furnace, ConvexBoxIsExactToOneInTenThousandOnTheMeanAtAnyAccuracy) {
   }
 }
 
-/// Links are as good as the accuracy asked makes them: one in ten thousand at every single sensor needs an accuracy of that order.
-/// Elements share their error by importance, so that small ones next to edges, which hardly matter, may be off by more: they are judged by
-/// area.
+/// Sensors look at links as good as the accuracy asked makes them: one in ten thousand at every single sensor needs an accuracy of that
+/// order.
 TEST(Furnace, ConvexBoxIsExactToOneInTenThousandAtEverySensorAtAFineAccuracy) {
   const Furnace f = box_furnace(0.002);
   EXPECT_LE(f.sensors.largest, 1e-4);
-  EXPECT_LE(std::abs(f.surfaces.mean), 1e-5);
+  EXPECT_LE(f.surfaces.largest, 1e-4);
 }
 
 /// Scenes where visibility is sampled: a quarter of the accuracy asked, on the mean of the sensors and of the surfaces by area. A single
@@ -195,11 +194,9 @@ void expect_balance(const std::string& name, double accuracy, double bound) {
   EXPECT_LE(results.energy.reciprocity, bound) << name;
 }
 
-/// What is measured: 2.9e-3, 6e-4 and 4e-4. The aim, 1e-4 in every empty convex room, is not reached: what lines miss of factors and of
-/// radiosity over a source goes together next to edges.
-TEST(EnergyBalance, ClosesInTheEmptyLampRoomToATwentiethOfTheAccuracy) {
+TEST(EnergyBalance, ClosesInTheEmptyLampRoomToOneInTenThousandAtAnyAccuracy) {
   CLERESTORY_NEEDS_VALIDATION("lamp-room");
-  for (const double accuracy : {0.08, 0.02, 0.01}) expect_balance("lamp-room", accuracy, accuracy / 20);
+  for (const double accuracy : {0.08, 0.04, 0.02, 0.01}) expect_balance("lamp-room", accuracy, 1e-4);
 }
 
 TEST(EnergyBalance, ClosesInTheOfficeToAQuarterOfTheAccuracy) {
