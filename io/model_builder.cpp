@@ -94,6 +94,16 @@ void ModelBuilder::drop_unused_vertices() {
   }
   model_.vertices.resize(kept);
   for (std::uint32_t& vertex : model_.corners) vertex = new_index[vertex];
+  renumber_tags(new_index);
+}
+
+void ModelBuilder::renumber_tags(std::span<const std::uint32_t> new_index) {
+  mesh::SubdivisionTags& tags = model_.tags;
+  for (auto& crease : tags.creases) crease.edge = {new_index[crease.edge[0]], new_index[crease.edge[1]]};
+  for (auto& corner : tags.corners) corner.vertex = new_index[corner.vertex];
+  std::erase_if(tags.creases,
+                [](const auto& crease) { return crease.edge[0] == kUnused || crease.edge[1] == kUnused; });
+  std::erase_if(tags.corners, [](const auto& corner) { return corner.vertex == kUnused; });
 }
 
 /// "The unit of length is m, as line 1 of the model says: 6 x 8 x 3 m."

@@ -56,6 +56,9 @@ class ModelBuilder {
   /// One more loop of the latest polygon: a hole.
   void hole(std::span<const std::uint32_t> corners);
 
+  /// Subdivision tags, by the numbers of vertices and polygons so far.
+  mesh::SubdivisionTags& tags() { return model_.tags; }
+
   [[nodiscard]] std::size_t vertex_count() const { return model_.vertices.size(); }
   [[nodiscard]] std::size_t polygon_count() const { return model_.polygon_count(); }
 
@@ -69,6 +72,7 @@ class ModelBuilder {
   void check_room(std::size_t corners, std::uint64_t line) const;
   void check_corners() const;
   void drop_unused_vertices();
+  void renumber_tags(std::span<const std::uint32_t> new_index);
   void choose_unit(ModelFile& result, const ModelFormat& format, const std::optional<ToldUnit>& told) const;
 
   std::string file_;

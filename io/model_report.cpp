@@ -48,6 +48,18 @@ Json site_json(const ModelSite& site) {
   return json;
 }
 
+Json curved_json(const ModelReport& report) {
+  Json json = Json::array();
+  for (const auto& part : report.input.curved.parts)
+    json.push_back({{"part", report.input.study.model.part_names[part.part.index()]},
+                    {"subdivision", scheme_word(part.scheme)},
+                    {"cage_faces", part.cage_faces},
+                    {"triangles", part.facets},
+                    {"deviation_m", part.deviation_m},
+                    {"chord_tolerance_m", part.chord_tolerance_m}});
+  return json;
+}
+
 Json head_json(const ModelReport& report) {
   const ModelFile& file = report.input.model;
   const mesh::Model& model = report.input.study.model;
@@ -69,6 +81,10 @@ Json head_json(const ModelReport& report) {
 
 }  // namespace
 
+std::string scheme_word(mesh::SubdivisionScheme scheme) {
+  return scheme == mesh::SubdivisionScheme::kLoop ? "loop" : "catmull-clark";
+}
+
 ModelReport look_at(const StudyInput& input, const std::string& file, const std::string& version, Progress& progress) {
   const lighting::Scene scene = lighting::build_scene(input.study, &progress);
   ModelReport report{.input = input, .file = file, .version = version, .clean = scene.clean_report};
@@ -83,6 +99,7 @@ ModelReport look_at(const StudyInput& input, const std::string& file, const std:
 std::string report_json_text(const ModelReport& report) {
   Json json = head_json(report);
   json["parts"] = report.input.study.model.part_names;
+  json["curved_parts"] = curved_json(report);
   json["materials"] = materials_json(lighting::material_uses(report.input.study));
   if (report.spaces) {
     json["rooms"] = rooms_json(report.spaces->rooms);

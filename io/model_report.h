@@ -35,7 +35,10 @@ struct ModelReport {
 /// Throws InputError as the computation would: nothing left of the model …
 ModelReport look_at(const StudyInput& input, const std::string& file, const std::string& version, Progress& progress);
 
-/// The report for a reader: head, parts, materials, rooms, defects with the worst three of each kind, assumptions.
+/// A scheme in the words of the study file.
+std::string scheme_word(mesh::SubdivisionScheme scheme);
+
+/// The report for a reader: head, parts, curved parts, materials, rooms, defects with the worst three of each kind, assumptions.
 std::string report_text(const ModelReport& report);
 
 /// The report for a program, in the words of summary.json (docs/command-line.md lists the keys).

@@ -64,6 +64,18 @@ std::string parts_text(const mesh::Model& model) {
   return text + "\n";
 }
 
+/// The curved parts, how finely each stands in the model.
+std::string curved_text(const ModelReport& report) {
+  const mesh::SubdivisionReport& curved = report.input.curved;
+  if (curved.parts.empty()) return {};
+  std::vector<TextRow> rows = {{"curved part", "scheme", "cage", "triangles", "farthest off", "tolerance"}};
+  for (const auto& part : curved.parts)
+    rows.push_back({printable(report.input.study.model.part_names[part.part.index()]), scheme_word(part.scheme),
+                    std::to_string(part.cage_faces), std::to_string(part.facets), length_text(part.deviation_m),
+                    length_text(part.chord_tolerance_m)});
+  return text_table(rows, "llrrrr") + "\n";
+}
+
 std::string materials_text(const lighting::Study& study) {
   const auto uses = uses_of(study.model.polygon_material, study.model.material_names.size());
   std::vector<TextRow> rows = {{"material", "polygons", "became", "why"}};
@@ -137,7 +149,8 @@ std::string clean_figures(const mesh::CleanReport& clean) {
 }  // namespace
 
 std::string report_text(const ModelReport& report) {
-  std::string text = head_text(report) + parts_text(report.input.study.model) + materials_text(report.input.study);
+  std::string text = head_text(report) + parts_text(report.input.study.model) + curved_text(report) +
+                     materials_text(report.input.study);
   if (report.spaces) text += rooms_text(*report.spaces);
   text += defects_text(report) + clean_figures(report.clean);
   for (const std::string& sentence : report.assumptions) text += "assumed: " + sentence + "\n";

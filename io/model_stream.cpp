@@ -26,8 +26,9 @@ concept Is = std::same_as<std::remove_const_t<T>, Of>;
 
 template <Is<mesh::Model> T, class Each>
 void each_field(T& model, const Each& each) {
-  auto& [vertices, corners, loop_starts, polygon_starts, polygon_material, polygon_part, polygon_line, material_names,
-         part_names] = model;
+  // None of the formats that are read in another process has subdivision tags, and curvature comes later.
+  [[maybe_unused]] auto& [vertices, corners, loop_starts, polygon_starts, polygon_material, polygon_part, polygon_line,
+                          material_names, part_names, tags, curvature] = model;
   each(vertices, corners, loop_starts, polygon_starts, polygon_material, polygon_part, polygon_line, material_names,
        part_names);
 }

@@ -12,6 +12,7 @@
 
 #include "io/model_builder.h"
 #include "io/mtl_library.h"
+#include "io/obj_tags.h"
 #include "io/text_file.h"
 #include "io/words.h"
 #include "mesh/error.h"
@@ -23,11 +24,10 @@ namespace {
 constexpr std::size_t kHeaderComments = 100;
 
 /// Keywords that say nothing of polygons, parts or materials.
-constexpr std::array<std::string_view, 34> kPassedOver{
-    "vt",         "vn",        "vp",    "s",     "l",    "p",      "cstype", "deg",      "bmat",
-    "step",       "curv",      "curv2", "surf",  "parm", "trim",   "hole",   "scrv",     "sp",
-    "end",        "con",       "mg",    "bevel", "lod",  "maplib", "usemap", "c_interp", "d_interp",
-    "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",    "t"};
+constexpr std::array<std::string_view, 33> kPassedOver{
+    "vt",    "vn",     "vp",     "s",        "l",        "p",          "cstype",    "deg",   "bmat",  "step", "curv",
+    "curv2", "surf",   "parm",   "trim",     "hole",     "scrv",       "sp",        "end",   "con",   "mg",   "bevel",
+    "lod",   "maplib", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh"};
 
 class ObjReader {
  public:
@@ -41,6 +41,7 @@ class ObjReader {
   void read_face(const std::vector<std::string_view>& words);
   std::uint32_t corner(std::string_view word) const;
   void read_comment(std::string_view line);
+  void read_tag(const std::vector<std::string_view>& words);
   void pass_over(std::string_view keyword);
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const {
     throw InputError(lines_.file(), lines_.number(), what, hint);
@@ -59,6 +60,8 @@ class ObjReader {
   std::size_t unknown_lines_ = 0;
   std::string first_unknown_;
   std::size_t curved_surfaces_ = 0;
+  std::size_t unknown_tags_ = 0;
+  std::uint64_t first_unknown_tag_ = 0;
 };
 
 ModelFile ObjReader::read(const ModelFormat& format) {
@@ -74,6 +77,10 @@ ModelFile ObjReader::read(const ModelFormat& format) {
   if (curved_surfaces_ > 0)
     result.notices.push_back(
         fmt::format("{} free-form surfaces of the model were left out: only polygons are read.", curved_surfaces_));
+  if (unknown_tags_ > 0)
+    result.notices.push_back(
+        fmt::format("{} subdivision tags of the model are not known and were passed over, the first in line {}.",
+                    unknown_tags_, first_unknown_tag_));
   if (unknown_lines_ > 0)
     result.notices.push_back(fmt::format("{} lines of the model were not understood and passed over, the first is {}.",
                                          unknown_lines_, first_unknown_));
@@ -100,6 +107,8 @@ void ObjReader::read_statement() {
     part_ = rest.empty() ? object_ : rest;
   } else if (keyword == "mtllib") {
     mtllibs_.push_back({rest, lines_.number()});
+  } else if (keyword == "t") {
+    read_tag(words);
   } else {
     pass_over(keyword);
   }
@@ -109,6 +118,12 @@ void ObjReader::read_comment(std::string_view line) {
   if (builder_.vertex_count() > 0 || told_unit_ || header_comments_++ >= kHeaderComments) return;
   if (const auto unit = unit_in_comment(line.substr(0, 200)))
     told_unit_ = ToldUnit{*unit, fmt::format("as line {} of the model says", lines_.number())};
+}
+
+void ObjReader::read_tag(const std::vector<std::string_view>& words) {
+  const ObjPlace place{lines_.file(), lines_.number(), builder_.vertex_count(), builder_.polygon_count()};
+  if (read_obj_tag(words, place, builder_.part(part_), builder_.tags())) return;
+  if (unknown_tags_++ == 0) first_unknown_tag_ = lines_.number();
 }
 
 void ObjReader::pass_over(std::string_view keyword) {

@@ -79,6 +79,7 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   study.name = study_or_model.stem().string();
   input.model = read_model_table(root, place, study);
   const ModelFile& model = input.model;
+  input.curved = read_parts_table(root, model.files.front(), study);
   record_up(root, model.up, is_study_file(study_or_model), study);
   read_site_table(root, model.site, study);
   read_materials_table(root, model, study);

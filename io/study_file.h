@@ -7,6 +7,7 @@
 
 #include "io/model_file.h"
 #include "lighting/study.h"
+#include "mesh/subdivision.h"
 
 namespace clerestory::io {
 
@@ -18,7 +19,7 @@ struct ReadOptions {
   /// Overrides in the order given, each "table.key=value" with TOML's value syntax; a bare word stands for a string.
   /// Elements of arrays by number: "grids.0.spacing=0.5". Relative paths in them are relative to the study file.
   std::vector<std::string> set;
-  /// Reads what describes the model, [model] and [materials], and leaves out sky, grids and accuracy.
+  /// Reads what describes the model, [model], [parts] and [materials], and leaves out sky, grids and accuracy.
   bool model_only = false;
 };
 
@@ -29,6 +30,8 @@ struct StudyInput {
   std::string effective_json;
   /// The model's file as read, but for its polygons, which are study.model.
   ModelFile model;
+  /// What became of the model's control cages; in study.model their triangles stand in their place.
+  mesh::SubdivisionReport curved;
   /// Every file that was read: study, model, MTL, .pts.
   std::vector<std::filesystem::path> input_files;
 };

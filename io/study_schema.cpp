@@ -198,6 +198,30 @@ constexpr StudyKey kKeys[] = {
      .low = 0.0,
      .high = 1e9},
 
+    {.path = "parts",
+     .type = kTable,
+     .meaning = "What parts are, by their name in the model. Of several entries for one part the exact "
+                "name counts, else the first pattern."},
+    {.path = "parts.*",
+     .type = kTable,
+     .meaning = "A part of the model by name; `*`, `?` and `[...]` make it a pattern: `[parts.\"vault*\"]`."},
+    {.path = "parts.*.subdivision",
+     .type = kWord,
+     .meaning =
+         "The part is the control cage of a curved surface ([curved-surfaces.md](curved-surfaces.md)). Not given: "
+         "catmull-clark where an OBJ file has subdivision tags for the part, else none.",
+     .example = "\"catmull-clark\"",
+     .words = "catmull-clark loop none"},
+    {.path = "parts.*.chord_tolerance",
+     .type = kNumberOrWord,
+     .unit = "m",
+     .fallback = "\"auto\"",
+     .meaning = "How far the triangles of a curved part may lie from its surface; auto: a five-hundredth of the part's "
+                "size, 0.1 mm to 3.75 mm.",
+     .low = 1e-4,
+     .high = 1.0,
+     .words = "auto"},
+
     {.path = "sky",
      .type = kTable,
      .meaning = "The sky. `clerestory daylight` takes the CIE overcast sky whatever stands here, and says so."},

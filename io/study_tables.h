@@ -8,6 +8,7 @@
 #include "io/model_file.h"
 #include "io/study_tree.h"
 #include "lighting/study.h"
+#include "mesh/subdivision.h"
 
 // The readers of the tables of a study: checked, with all defaults filled in. What they assume goes to study.assumptions.
 namespace clerestory::io {
@@ -24,6 +25,12 @@ ModelFile read_model_table(const StudyValue& root, StudyPlace& place, lighting::
 
 /// model.north and [site]: what the study leaves open is as the model's file says, in the tree too.
 void read_site_table(StudyValue& root, const ModelSite& site, lighting::Study& study);
+
+/// [parts]: replaces the control cages of study.model by triangles on their limit surfaces. Cages are the parts that the study
+/// names as such, and those that the file tags.
+/// Throws InputError with the model's file and line for a cage at fault, and for names that match no part.
+mesh::SubdivisionReport read_parts_table(const StudyValue& root, const std::filesystem::path& model,
+                                         lighting::Study& study);
 
 /// [materials]: one material a model material. The study counts first, then names like glass, then the MTL, then orientation.
 /// Throws InputError for entries that contradict themselves, and names that match no material.

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mesh/geometry.h"
 #include "mesh/ids.h"
+#include "mesh/subdivision_tags.h"
 
 namespace clerestory::mesh {
+
+struct Curvature;
 
 /// Polygons with parts and materials by name, as a file gave them; metres, z up.
 /// A polygon has one outer loop and any number of holes. Structure of arrays: polygon p has the loops
@@ -25,6 +29,9 @@ struct Model {
   std::vector<std::uint32_t> polygon_line;  ///< line in the source file, 0 where unknown
   std::vector<std::string> material_names;
   std::vector<std::string> part_names;
+  SubdivisionTags tags;  ///< of polygons that are control cages, as the file gave them
+  /// Which triangles stand for pieces of limit surfaces, once subdivide() has replaced cages; shared by the surfaces made of the model.
+  std::shared_ptr<const Curvature> curvature;
 
   [[nodiscard]] std::size_t polygon_count() const { return polygon_starts.size() - 1; }
   [[nodiscard]] std::size_t loop_count(std::size_t polygon) const {

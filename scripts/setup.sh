@@ -19,6 +19,7 @@ packages=(
   libgmock-dev
   libgtest-dev
   libifcplusplus-dev
+  libosd-dev
   libtbb-dev
   libtomlplusplus-dev
   libvtk9-dev

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/limit_tessellation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "tests/support/cages.h"
+
+namespace clerestory {
+namespace {
+
+using mesh::LimitSurface;
+using mesh::LimitTessellation;
+using mesh::SubdivisionScheme;
+
+LimitTessellation tessellation_of(const mesh::ControlCage& cage, const std::vector<double>& tolerance_m) {
+  return tessellate(cage, LimitSurface(cage), tolerance_m);
+}
+
+LimitTessellation tessellation_of(const mesh::ControlCage& cage, double tolerance_m) {
+  return tessellation_of(cage, std::vector<double>(cage.face_count(), tolerance_m));
+}
+
+double area_of(const LimitTessellation& mesh) {
+  double area = 0.0;
+  for (const auto& piece : mesh.pieces) {
+    const auto& c = piece.corners;
+    area += 0.5 * norm(cross(mesh.points[c[1]] - mesh.points[c[0]], mesh.points[c[2]] - mesh.points[c[0]]));
+  }
+  return area;
+}
+
+/// Edges that are not walked once each way.
+std::size_t unmatched_edges(const LimitTessellation& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> walked;
+  for (const auto& piece : mesh.pieces) {
+    for (std::size_t k = 0; k < 3; ++k) ++walked[{piece.corners[k], piece.corners[(k + 1) % 3]}];
+  }
+  std::size_t unmatched = 0;
+  for (const auto& [edge, count] : walked) {
+    const auto back = walked.find({edge.second, edge.first});
+    if (count != 1 || back == walked.end() || back->second != 1) ++unmatched;
+  }
+  return unmatched;
+}
+
+TEST(LimitTessellation, AClosedCageGivesAClosedSurface) {
+  for (const double tolerance : {0.3, 0.01, 0.001}) {
+    EXPECT_EQ(unmatched_edges(tessellation_of(support::whole_cage(support::cube_cage()), tolerance)), 0U);
+    EXPECT_EQ(unmatched_edges(tessellation_of(support::whole_cage(support::irregular_cage()), tolerance)), 0U);
+    EXPECT_EQ(unmatched_edges(tessellation_of(support::whole_cage(support::octahedron_cage(), SubdivisionScheme::kLoop),
+                                              tolerance)),
+              0U);
+  }
+}
+
+TEST(LimitTessellation, PatchesOfDifferentDensityShareTheirEdges) {
+  const mesh::ControlCage cage = support::whole_cage(support::irregular_cage());
+  std::vector<double> tolerance(cage.face_count(), 0.05);
+  tolerance[2] = 0.0005;
+  const LimitTessellation mesh = tessellation_of(cage, tolerance);
+  EXPECT_EQ(unmatched_edges(mesh), 0U);
+  std::size_t fine = 0;
+  for (const auto& piece : mesh.pieces) {
+    if (piece.face == 2) ++fine;
+  }
+  EXPECT_GT(fine, mesh.pieces.size() / 2);
+}
+
+TEST(LimitTessellation, NoTriangleIsFartherOffThanTheTolerance) {
+  for (const double tolerance : {0.05, 0.005, 0.0005}) {
+    for (const auto& piece : tessellation_of(support::whole_cage(support::irregular_cage()), tolerance).pieces)
+      EXPECT_LE(piece.deviation_m, tolerance);
+  }
+}
+
+TEST(LimitTessellation, AFlatCageIsNotCut) {
+  mesh::ControlCage cage = support::whole_cage(support::cube_cage());
+  for (std::size_t f = 0; f < cage.face_count(); ++f) {
+    for (std::size_t k = 0; k < 4; ++k) cage.creases.push_back({{cage.corner(f, k), cage.corner(f, k + 1)}, 10.0F});
+  }
+  EXPECT_EQ(tessellation_of(cage, 1e-4).pieces.size(), 12U);
+}
+
+// The area's error falls with the square of the pieces' size, that is in proportion to the tolerance.
+TEST(LimitTessellation, TheAreaConvergesToFirstOrderInTheTolerance) {
+  for (const auto scheme : {SubdivisionScheme::kCatmullClark, SubdivisionScheme::kLoop}) {
+    const mesh::ControlCage cage = support::whole_cage(
+        scheme == SubdivisionScheme::kLoop ? support::octahedron_cage() : support::cube_cage(), scheme);
+    const double finest = area_of(tessellation_of(cage, 2e-6));
+    const double coarse = finest - area_of(tessellation_of(cage, 8e-3));
+    const double fine = finest - area_of(tessellation_of(cage, 1.25e-4));
+    const double order = std::log(coarse / fine) / std::log(8e-3 / 1.25e-4);
+    EXPECT_GT(fine, 0.0);
+    EXPECT_NEAR(order, 1.0, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace clerestory
