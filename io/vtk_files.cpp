@@ -150,6 +150,7 @@ void add_surface_values(vtkPolyData* data, const lighting::SurfaceResult& surfac
   cells->AddArray(numbers<vtkIntArray>("room", surfaces.room));
   cells->SetActiveScalars("illuminance_lux");
   data->GetPointData()->AddArray(numbers<vtkFloatArray>("illuminance_lux", surfaces.point_illuminance_lux));
+  data->GetPointData()->SetNormals(vectors("normal", surfaces.point_normals));
 }
 
 void add_origin(vtkPolyData* data, const std::vector<std::string>& units, const lighting::Results& results,

@@ -55,11 +55,14 @@ struct GridResult {
   GridMetrics metrics;
 };
 
-/// The solution on the surfaces, as triangles with their own three points each where light is discontinuous.
+/// The solution on the surfaces, as triangles with their own three points each where light is discontinuous. Points of curved parts lie on
+/// the limit surface, and are shared across its smooth edges.
 /// Front cells are wound as the file's polygons, back cells the other way. Model coordinates [m].
 struct SurfaceResult {
   std::vector<mesh::Point> points;
   std::vector<float> point_illuminance_lux;
+  std::vector<mesh::Vector>
+      point_normals;  ///< unit length, of the cells' side; of curved parts those of the limit surface
   std::vector<std::array<std::uint32_t, 3>> cells;
   std::vector<std::uint8_t> side;
   std::vector<float> illuminance_lux;

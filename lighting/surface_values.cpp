@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/surface_values.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,8 @@
 #include <utility>
 
 #include "lighting/parallel.h"
+#include "mesh/smooth_regions.h"
+#include "mesh/vertex_index.h"
 
 namespace clerestory::lighting {
 
@@ -20,6 +23,10 @@ namespace {
 
 /// Corners closer than this are one point [m].
 constexpr double kGrain = 1e-6;
+/// The same where they belong to different faces, which rounded them in their own planes by up to twice the plane tolerance.
+constexpr double kGrainOfFaces = 5e-5;
+/// Normals of a limit surface that differ by less are those of one smooth point, seen from two patches: cosine of 1 degree.
+constexpr double kSmoothCosine = 0.99985;
 
 /// Start triangles of an element: itself, or those of its group.
 void triangles_of(const mesh::ElementTree& tree, ElementId e, std::vector<ElementId>& found) {
@@ -34,7 +41,8 @@ void triangles_of(const mesh::ElementTree& tree, ElementId e, std::vector<Elemen
 
 class SurfaceWriter {
  public:
-  explicit SurfaceWriter(const Solution& solution) : solution_(solution), tree_(solution.tree()) {
+  explicit SurfaceWriter(const Solution& solution)
+      : solution_(solution), tree_(solution.tree()), surface_of_(mesh::smooth_regions(solution.scene().faces)) {
     result_.part_names = solution.scene().faces.part_names;
     result_.material_names = solution.scene().faces.material_names;
     for (const mesh::Room& room : solution.scene().rooms.rooms) result_.room_names.push_back(room.name);
@@ -66,15 +74,41 @@ class SurfaceWriter {
     return std::max(0.0, sum);
   }
 
+  std::uint32_t add_point(const Point& p, const Vector& normal) {
+    result_.points.push_back(p + solution_.scene().faces.origin);
+    result_.point_normals.push_back(normal);
+    sums_.push_back(0.0);
+    weights_.push_back(0.0);
+    return static_cast<std::uint32_t>(result_.points.size() - 1);
+  }
+
+  /// The number of a root among the roots of its side: its region.
+  [[nodiscard]] std::size_t region_of(ElementId root) const {
+    const auto roots = tree_.roots_of(tree_.face_side(root));
+    return static_cast<std::size_t>(std::find(roots.begin(), roots.end(), root) - roots.begin());
+  }
+
+  /// A point of a curved part: one for all elements of that side of one smooth surface whose normals agree there.
+  std::uint32_t curved_point(ElementId root, const mesh::LimitPoint& limit) {
+    const mesh::FaceSide side = tree_.face_side(root);
+    const Vector normal = side.side == mesh::Side::kBack ? -limit.normal : limit.normal;
+    const std::array<std::uint32_t, 3> key{places_.add(limit.at), static_cast<std::uint32_t>(side.side),
+                                           surface_of_[side.face.index()][region_of(root)]};
+    std::vector<std::uint32_t>& known = curved_points_[key];
+    for (const std::uint32_t point : known) {
+      if (dot(result_.point_normals[point], normal) > kSmoothCosine) return point;
+    }
+    known.push_back(add_point(limit.at, normal));
+    return known.back();
+  }
+
   std::uint32_t point_of(ElementId root, const Point& p) {
+    if (const auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p))
+      return curved_point(root, *limit);
     const auto grid = [](double x) { return static_cast<std::int64_t>(std::llround(x / kGrain)); };
     const std::array<std::int64_t, 4> key{root.value, grid(p.x), grid(p.y), grid(p.z)};
     const auto [entry, added] = points_.try_emplace(key, static_cast<std::uint32_t>(result_.points.size()));
-    if (added) {
-      result_.points.push_back(p + solution_.scene().faces.origin);
-      sums_.push_back(0.0);
-      weights_.push_back(0.0);
-    }
+    if (added) add_point(p, tree_.normal(root));
     return entry->second;
   }
 
@@ -126,6 +160,9 @@ class SurfaceWriter {
   const mesh::ElementTree& tree_;
   SurfaceResult result_;
   std::map<std::array<std::int64_t, 4>, std::uint32_t> points_;
+  mesh::VertexIndex places_{kGrainOfFaces};             // of curved parts
+  std::vector<std::vector<std::uint32_t>> surface_of_;  // [faces][regions] of curved parts
+  std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> curved_points_;
   std::vector<std::pair<Point, Vector>> looks_;  // centroid and normal of each cell
   std::vector<double> sums_;
   std::vector<double> weights_;

@@ -7,7 +7,8 @@
 namespace clerestory::lighting {
 
 /// The solution as triangles with cell and point values, in model coordinates. Point values are means of the elements of one region of one
-/// face side that meet there, each by its own line; they never reach across a contact, a crease or a material's edge.
+/// face side that meet there, each by its own line; they never reach across a contact, a crease or a material's edge. On a curved part they are means over all elements that meet at a point of
+/// the limit surface where it is smooth: the irradiance of each belongs to its own plane, the mean of them to the limit's.
 SurfaceResult surface_values(const Solution& solution);
 
 }  // namespace clerestory::lighting

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "mesh/geometry.h"
@@ -29,6 +30,8 @@ struct Curvature {
   /// The point of the limit surface that a point of a facet's plane stands for; points outside of the facet are drawn to it. On an edge
   /// that facets share both give the same point.
   [[nodiscard]] LimitPoint limit(std::uint32_t facet, const Point& point) const;
+  /// Of several facets in one plane the one that holds a point of it, or reaches nearest to it [not empty].
+  [[nodiscard]] std::uint32_t nearest(std::span<const std::uint32_t> candidates, const Point& point) const;
 };
 
 }  // namespace clerestory::mesh

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/faces.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
 
 #include "mesh/coplanar.h"
+#include "mesh/curvature.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
 #include "mesh/polygon_defects.h"
@@ -71,7 +74,36 @@ std::vector<DirectedEdge> boundary_of_group(const Soup& soup, const CoplanarGrou
   return boundary;
 }
 
-FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) {
+/// A facet of a curved part belongs to a face whose plane its corners are this near to [m]: gaps that were closed moved them by up to
+/// 1 mm. Panes, which were moved to the middle of their glass, are none of their surface any more.
+constexpr double kStillFacet = 1.5e-3;
+/// Facets that deviate by less than this from their limit surface are flat [m]: half the plane tolerance.
+constexpr double kFlatFacet = 1e-5;
+
+/// The facets that a group of polygons is made of; none where all are flat.
+std::vector<std::uint32_t> facets_of(const CleanSurface& surface, const Soup& soup, const CoplanarGroup& group) {
+  const Curvature* curvature = surface.polygons.curvature.get();
+  std::vector<std::uint32_t> facets;
+  if (curvature == nullptr) return facets;
+  bool curved = false;
+  for (const std::uint32_t p : group.polygons) {
+    const std::uint32_t facet = curvature->facet_of[surface.source[soup.polygons[p].source]];
+    if (facet == Curvature::kFlat) return {};
+    const Curvature::Facet& own = curvature->facets[facet];
+    for (const Point& corner : own.corners) {
+      if (std::abs(group.plane.distance(corner - surface.origin)) > kStillFacet) return {};
+    }
+    curved = curved || own.deviation_m > kFlatFacet;
+    facets.push_back(facet);
+  }
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  return curved ? facets : std::vector<std::uint32_t>();
+}
+
+/// @param facets  receives those of each face
+FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options,
+                       std::vector<std::vector<std::uint32_t>>& facets) {
   FaceDrafts drafts(options.plane_tolerance_m);
   Soup soup = to_soup(surface.polygons);
   // Sides are those of the source: what the clean-up turned is turned back.
@@ -83,6 +115,7 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options) 
   for (const CoplanarGroup& group :
        group_coplanar(soup, {options.plane_tolerance_m, options.angle_tolerance_rad, true})) {
     const SoupPolygon& first = soup.polygons[group.polygons[0]];
+    facets.push_back(facets_of(surface, soup, group));
     drafts.faces.push_back(
         {plane_of_group(soup, group), first.material, first.part, boundary_of_group(soup, group), {}});
   }
@@ -109,23 +142,37 @@ void compact(std::span<const Point> points, Triangulation& shape) {
 }  // namespace
 
 Faces build_faces(const CleanSurface& surface, const FaceOptions& options) {
-  FaceDrafts drafts = draft_faces(surface, options);
+  std::vector<std::vector<std::uint32_t>> facets;
+  FaceDrafts drafts = draft_faces(surface, options, facets);
   imprint_contacts(drafts);
   Faces result;
   result.origin = surface.origin;
   result.material_names = surface.polygons.material_names;
   result.part_names = surface.polygons.part_names;
-  for (const FaceDraft& draft : drafts.faces) {
+  result.curvature = surface.polygons.curvature;
+  for (std::size_t d = 0; d < drafts.faces.size(); ++d) {
+    const FaceDraft& draft = drafts.faces[d];
     const std::size_t before = result.shape.triangles.size();
     const double area = triangulate_face(drafts, draft, result.shape.triangles);
     if (result.shape.triangles.size() == before) continue;
     result.shape.starts.push_back(static_cast<std::uint32_t>(result.shape.triangles.size()));
-    result.faces.push_back({draft.plane.origin, draft.plane.frame, area, draft.material, draft.part, {}});
+    result.faces.push_back(
+        {draft.plane.origin, draft.plane.frame, area, draft.material, draft.part, {}, std::move(facets[d])});
     result.contact_count += draft.lines.size();
   }
   compact(drafts.vertices.points(), result.shape);
   for (std::size_t f = 0; f < result.count(); ++f) result.faces[f].loops = boundary_loops(result.shape.of(FaceId(f)));
   return result;
+}
+
+std::optional<LimitPoint> Faces::limit(FaceId face, const Point& point) const {
+  const std::vector<std::uint32_t>& facets = faces[face.index()].facets;
+  if (facets.empty()) return std::nullopt;
+  const Point at = point + origin;
+  const std::uint32_t facet = facets.size() == 1 ? facets[0] : curvature->nearest(facets, at);
+  LimitPoint found = curvature->limit(facet, at);
+  found.at = found.at - origin;
+  return found;
 }
 
 }  // namespace clerestory::mesh

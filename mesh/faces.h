@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mesh/clean.h"
 #include "mesh/geometry.h"
 #include "mesh/ids.h"
+#include "mesh/limit_surface.h"
 
 namespace clerestory::mesh {
 
@@ -41,6 +44,8 @@ struct Face {
   PartId part;
   /// Loops of vertex indices: outer boundaries counter-clockwise seen from the front, holes clockwise.
   std::vector<std::vector<std::uint32_t>> loops;
+  /// Of a curved part: the facets that lie in this plane, by index into the curvature; empty where the face is flat.
+  std::vector<std::uint32_t> facets;
 };
 
 /// All faces of a model. `shape` is the conforming triangulation with every contact imprinted: faces that touch share the
@@ -51,9 +56,13 @@ struct Faces {
   Vector origin;  ///< model coordinates = local coordinates + origin [m]
   std::vector<std::string> material_names;
   std::vector<std::string> part_names;
-  std::size_t contact_count = 0;  ///< contact segments imprinted
+  std::shared_ptr<const Curvature> curvature;  ///< of curved parts; may be null
+  std::size_t contact_count = 0;               ///< contact segments imprinted
 
   [[nodiscard]] std::size_t count() const { return faces.size(); }
+  /// The point of the limit surface that a point of a curved face stands for, both local; its normal is that of the front. Nothing for flat
+  /// faces.
+  [[nodiscard]] std::optional<LimitPoint> limit(FaceId face, const Point& point) const;
 };
 
 struct FaceOptions {

@@ -166,7 +166,8 @@ void Rays::Data::build(const Faces& faces, std::span<const std::uint8_t> passabl
                       .area_m2 = face.area_m2,
                       .material = face.material,
                       .part = face.part,
-                      .loops = {}});
+                      .loops = {},
+                      .facets = {}});
   }
   for (const Point& p : faces.shape.vertices) bounds.add(p);
   offset = lift(bounds);

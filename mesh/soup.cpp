@@ -48,6 +48,7 @@ Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>&
   Model model;
   model.material_names = names.material_names;
   model.part_names = names.part_names;
+  model.curvature = names.curvature;
   source.clear();
   flipped.clear();
   std::vector<std::uint32_t> index(soup.points.size(), kUnused);

@@ -9,7 +9,6 @@
 
 #include "mesh/geometry.h"
 
-// Private to mesh/.
 namespace clerestory::mesh {
 
 /// Points, no two of them closer than a tolerance: a point that is near one already there becomes that one, without moving it.

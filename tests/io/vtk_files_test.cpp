@@ -107,6 +107,7 @@ TEST_F(VtkFiles, SurfacesAreReadBackInDoublePrecisionWithAllArrays) {
   EXPECT_EQ(data->GetCellData()->GetArray("room")->GetTuple1(1), -1.0);
   EXPECT_EQ(data->GetCellData()->GetArray("side")->GetTuple1(1), 1.0);
   EXPECT_EQ(data->GetPointData()->GetArray("illuminance_lux")->GetTuple1(2), 300.0);
+  EXPECT_EQ(data->GetPointData()->GetNormals()->GetComponent(4, 2), -1.0);
   EXPECT_EQ(word(data, "part_names"), "desk <1> & \"süd\"");
   EXPECT_EQ(word(data, "material_names", 1), "wood");
   EXPECT_EQ(word(data, "room_names"), "room 1");

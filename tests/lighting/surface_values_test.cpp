@@ -5,9 +5,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <vector>
 
+#include "mesh/subdivision.h"
 #include "tests/lighting/stages.h"
+#include "tests/support/cages.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -131,6 +135,53 @@ TEST(SurfaceValues, LightDoesNotCrossAContact) {
   }
   EXPECT_GT(lit, 0);
   EXPECT_GT(dark, 0);
+}
+
+/// A ball of limit surface, some 1 m across, in the middle of a room that shines evenly.
+Study ball_in_a_furnace() {
+  mesh::Model model = support::cube_cage();
+  for (Point& p : model.vertices) p = Point{2, 2, 1.5} + 0.5 * (p - Point{});
+  mesh::Model room = support::box_room(4, 4, 3);
+  support::append(room, model);
+  std::vector<std::optional<mesh::CurvedPart>> parts(room.part_names.size());
+  parts.back() = mesh::CurvedPart{mesh::SubdivisionScheme::kCatmullClark, 0.02};
+  Study study = test::study_of(mesh::subdivide(room, parts), 0.5, Point{0.1, 0.1, 0.1});
+  for (Material& m : study.materials) test::shine(m, 20.0);
+  return study;
+}
+
+TEST(SurfaceValues, PointsOfACurvedPartLieOnItsLimitSurfaceAndAreSharedBetweenItsFacets) {
+  const test::Solved solved(ball_in_a_furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  ASSERT_EQ(s.point_normals.size(), s.points.size());
+  std::set<std::uint32_t> points;
+  std::size_t cells = 0;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.part_names[static_cast<std::size_t>(s.part[i])] != "cage") continue;
+    ++cells;
+    points.insert(s.cells[i].begin(), s.cells[i].end());
+    const Vector own = mesh::normalized(area_vector(s, i));
+    for (const std::uint32_t p : s.cells[i]) EXPECT_GT(dot(own, s.point_normals[p]), 0.9);
+  }
+  // A closed surface of triangles has half as many points as triangles, and 2 more; hanging points come on top.
+  ASSERT_GT(cells, 50U);
+  EXPECT_LT(points.size(), 0.75 * static_cast<double>(cells));
+  for (const std::uint32_t p : points) {
+    EXPECT_NEAR(norm(s.point_normals[p]), 1.0, 1e-9);
+    // The limit surface of a cube is round but for a few per cent.
+    const Vector outward = s.points[p] - Point{2, 2, 1.5};
+    EXPECT_GT(dot(mesh::normalized(outward), s.point_normals[p]), 0.95);
+  }
+}
+
+TEST(SurfaceValues, FacetsDoNotShowInTheIlluminanceOfACurvedPart) {
+  // All that an even furnace shows on any surface is the same; what differs is the solver's error, and no facet.
+  const test::Solved solved(ball_in_a_furnace());
+  const SurfaceResult s = surface_values(solved.solution);
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.part_names[static_cast<std::size_t>(s.part[i])] != "cage" || s.side[i] != 0) continue;
+    for (const std::uint32_t p : s.cells[i]) EXPECT_NEAR(s.point_illuminance_lux[p], 40.0, 2.0);
+  }
 }
 
 }  // namespace
