@@ -19,6 +19,7 @@ SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later"
 HEAVY = {
     "CGAL": (r"CGAL/", "mesh"),
     "Embree": (r"embree3/", "mesh"),
+    "OpenSubdiv": (r"opensubdiv/", "mesh"),
     "TBB": (r"(oneapi/)?tbb(/|\.h)", "lighting"),
     "assimp": (r"assimp/", "io"),
     "IfcPlusPlus": (r"ifcpp/|Ifc\w+\.h", "io"),

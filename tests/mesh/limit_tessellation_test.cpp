@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "tests/support/cages.h"
@@ -85,17 +86,18 @@ TEST(LimitTessellation, AFlatCageIsNotCut) {
   EXPECT_EQ(tessellation_of(cage, 1e-4).pieces.size(), 12U);
 }
 
-// The area's error falls with the square of the pieces' size, that is in proportion to the tolerance.
-TEST(LimitTessellation, TheAreaConvergesToFirstOrderInTheTolerance) {
+// The area's error falls with the square of the triangles' size, that is as one by their number.
+TEST(LimitTessellation, TheAreaConvergesToSecondOrderInTheSizeOfTheTriangles) {
   for (const auto scheme : {SubdivisionScheme::kCatmullClark, SubdivisionScheme::kLoop}) {
     const mesh::ControlCage cage = support::whole_cage(
         scheme == SubdivisionScheme::kLoop ? support::octahedron_cage() : support::cube_cage(), scheme);
-    const double finest = area_of(tessellation_of(cage, 2e-6));
-    const double coarse = finest - area_of(tessellation_of(cage, 8e-3));
-    const double fine = finest - area_of(tessellation_of(cage, 1.25e-4));
-    const double order = std::log(coarse / fine) / std::log(8e-3 / 1.25e-4);
-    EXPECT_GT(fine, 0.0);
-    EXPECT_NEAR(order, 1.0, 0.1);
+    const LimitTessellation coarse = tessellation_of(cage, 4e-3);
+    const LimitTessellation fine = tessellation_of(cage, 5e-4);
+    const double limit = area_of(tessellation_of(cage, 3e-5));
+    const double ratio = static_cast<double>(fine.pieces.size()) / static_cast<double>(coarse.pieces.size());
+    const double order = 2.0 * std::log((limit - area_of(coarse)) / (limit - area_of(fine))) / std::log(ratio);
+    RecordProperty("order", std::to_string(order));
+    EXPECT_NEAR(order, 2.0, 0.2);
   }
 }
 
