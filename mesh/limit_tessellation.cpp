@@ -18,6 +18,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr int kMostPieces = 256;
 /// Rounds of measuring and growing; curvature is sampled, so that the first round is right as a rule.
 constexpr int kMostRounds = 20;
+/// Growth of a round; deviations that hardly fall need a jolt.
+constexpr double kLeastGrowth = 1.25;
+constexpr double kLeastWanted = 0.5;
 constexpr int kSamples = 5;  // of curvature, along an edge and each way in a patch
 
 using Coordinates = std::array<double, 2>;
@@ -57,7 +60,10 @@ struct PatchSide {
 struct Patch {
   std::uint32_t face = 0;
   std::vector<PatchSide> sides;
-  std::array<int, 2> inner{1, 1};
+  /// Pieces wanted inside in either direction, not rounded: what is straight one way stays whole when the other way grows.
+  std::array<double, 2> wanted{1.0, 1.0};
+
+  [[nodiscard]] int inner(std::size_t k) const { return pieces_of(wanted[k]); }
 };
 
 class Tessellator {
@@ -134,7 +140,7 @@ std::uint32_t Tessellator::cage_curve(std::uint32_t face, std::uint32_t side, bo
 }
 
 void Tessellator::add_regular(std::uint32_t face) {
-  Patch patch{face, {}, {1, 1}};
+  Patch patch{face, {}, {1.0, 1.0}};
   for (std::uint32_t k = 0; k < cage_.face_size(face); ++k)
     patch.sides.push_back({cage_curve(face, k, false), runs_backward(face, k), -1});
   patches_.push_back(std::move(patch));
@@ -163,7 +169,7 @@ void Tessellator::add_irregular(std::uint32_t face) {
                          {first_spoke + k, false, -1},
                          {first_spoke + before, true, -1},
                          {edges[before], in_backward, in_backward ? 0 : 1}},
-                        {1, 1}});
+                        {1.0, 1.0}});
   }
 }
 
@@ -224,12 +230,14 @@ void Tessellator::estimate(std::uint32_t patch) {
     }
   }
   const double tolerance = tolerance_[patches_[patch].face];
-  auto& inner = patches_[patch].inner;
+  auto& wanted = patches_[patch].wanted;
   if (surface_.has_triangles()) {
-    inner[0] = inner[1] = pieces_of(std::sqrt((uu + 2.0 * uv + vv) / (8.0 * tolerance)));
+    wanted[0] = wanted[1] = std::sqrt((uu + 2.0 * uv + vv) / (8.0 * tolerance));
   } else {
-    inner = {pieces_of(std::sqrt((uu + uv) / (4.0 * tolerance))), pieces_of(std::sqrt((vv + uv) / (4.0 * tolerance)))};
+    wanted = {std::sqrt((uu + uv) / (4.0 * tolerance)), std::sqrt((vv + uv) / (4.0 * tolerance))};
   }
+  // Samples may have missed what is curved.
+  for (double& n : wanted) n = std::max(n, kLeastWanted);
 }
 
 void Tessellator::estimate() {
@@ -288,6 +296,14 @@ std::pair<std::size_t, double> place_on_boundary(const Coordinates& at, bool tri
   return at[1] > 1.0 - kSlack ? std::pair<std::size_t, double>{2, 1.0 - at[0]} : std::pair{std::size_t{3}, 1.0 - at[1]};
 }
 
+/// Pieces inside of a patch one way: as many as its edges have that way where these are not much denser, so that rows go through.
+int inner_pieces(const Patch& patch, const std::vector<int>& sides, std::size_t k) {
+  const int own = patch.inner(k);
+  int densest = sides[k];
+  if (patch.sides.size() == 4) densest = std::max(densest, sides[k + 2]);
+  return densest <= 2 * own ? std::max(own, densest) : own;
+}
+
 void Tessellator::add_pieces(std::uint32_t patch) {
   const Patch& own = patches_[patch];
   const bool triangle = surface_.has_triangles();
@@ -297,8 +313,8 @@ void Tessellator::add_pieces(std::uint32_t patch) {
     sides.push_back(points_along(side));
     rates.push_back(static_cast<int>(sides.back().size()) - 1);
   }
-  rates.push_back(own.inner[0]);
-  if (!triangle) rates.push_back(own.inner[1]);
+  rates.push_back(inner_pieces(own, rates, 0));
+  if (!triangle) rates.push_back(inner_pieces(own, rates, 1));
   const Bfr::Parameterization domain(triangle ? OpenSubdiv::Sdc::SCHEME_LOOP : OpenSubdiv::Sdc::SCHEME_CATMARK,
                                      triangle ? 3 : 4);
   const Bfr::Tessellation pattern(domain, static_cast<int>(rates.size()), rates.data());
@@ -396,9 +412,9 @@ bool Tessellator::grow() {
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     const double tolerance = tolerance_[patches_[p].face];
     if (worst[p] <= tolerance) continue;
-    for (int& n : patches_[p].inner) {
+    for (double& n : patches_[p].wanted) {
       if (n >= kMostPieces) continue;
-      n = grown(n, worst[p], tolerance);
+      n *= std::max(kLeastGrowth, std::sqrt(worst[p] / tolerance));
       changed = true;
     }
     // Triangles between a coarse edge and a dense inside span what the edge alone does not.
@@ -408,7 +424,7 @@ bool Tessellator::grow() {
       Curve& curve = curves_[side.curve];
       const int along = curve.pieces / (side.half >= 0 ? 2 : 1);
       const int more = curve.pieces + 2 * ((curve.pieces + 7) / 8);
-      if (along < patches_[p].inner[k % 2] && more <= kMostPieces) curve.pieces = more;
+      if (along < patches_[p].inner(k % 2) && more <= kMostPieces) curve.pieces = more;
     }
   }
   return changed;
