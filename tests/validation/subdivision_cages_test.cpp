@@ -229,7 +229,7 @@ double size_of(const mesh::ControlCage& cage) {
 
 class SubdivisionCages : public testing::TestWithParam<std::filesystem::path> {};
 INSTANTIATE_TEST_SUITE_P(Collected, SubdivisionCages, testing::ValuesIn(cages()),
-                         [](const auto& info) { return info.param.stem().string(); });
+                         [](const auto& cage) { return cage.param.stem().string(); });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SubdivisionCages);
 
 TEST_P(SubdivisionCages, LimitPointsAgreeWithFar) {
@@ -262,7 +262,7 @@ TEST_P(SubdivisionCages, AreTessellatedWithinTheTolerance) {
   for (const auto& part : report.parts) EXPECT_LE(part.deviation_m, part.chord_tolerance_m);
   const bool torn = GetParam().stem() == "catmark_nonman_verts" || GetParam().stem() == "catmark_fan";
   EXPECT_EQ(report.notices.size(), torn ? 1U : 0U);
-  if (torn) EXPECT_THAT(report.notices.front(), testing::HasSubstr("no manifold"));
+  EXPECT_THAT(report.notices, testing::Each(testing::HasSubstr("no manifold")));
 }
 
 TEST(SubdivisionCage, ThatNamesAVertexTwiceIsRefusedWithItsLine) {
