@@ -96,6 +96,31 @@ void to_model_coordinates(mesh::CleanSurface& surface) {
   for (mesh::Point& p : surface.polygons.vertices) p = p + surface.origin;
 }
 
+/// The surface with a polygon for each material: a polygon with another one on its back is followed by that, the other way round.
+mesh::Model with_backs(const mesh::CleanSurface& surface) {
+  const mesh::Model& clean = surface.polygons;
+  mesh::Model model;
+  model.vertices = clean.vertices;
+  model.material_names = clean.material_names;
+  model.part_names = clean.part_names;
+  std::vector<std::uint32_t> corners;
+  for (std::size_t p = 0; p < clean.polygon_count(); ++p) {
+    const auto add = [&](mesh::MaterialId material, bool reversed) {
+      model.begin_polygon(material, clean.polygon_part[p], clean.polygon_line[p]);
+      for (std::size_t loop = 0; loop < clean.loop_count(p); ++loop) {
+        corners.assign(clean.loop(p, loop).begin(), clean.loop(p, loop).end());
+        if (reversed) std::reverse(corners.begin(), corners.end());
+        model.add_loop(corners);
+      }
+    };
+    const bool flipped = surface.flipped[p] != 0;
+    const mesh::MaterialId back = surface.back_material[p];
+    add(clean.polygon_material[p], back.valid() && flipped);
+    if (back.valid()) add(back, !flipped);
+  }
+  return model;
+}
+
 void write_reports(const fs::path& staged, const ModelReport& report) {
   write_defects_vtp(with_ending(staged, ".defects.vtp"), report.clean);
   write_whole_file(with_ending(staged, ".report.txt"), report_text(report));
@@ -129,7 +154,7 @@ void write_cleaned_model(const fs::path& file, mesh::CleanSurface surface, Model
   const std::vector<fs::path> files = all_files(file);
   for (const fs::path& path : files) report.files.push_back(path.filename().string());
   try {
-    write_model(staged, {surface.polygons, report.input.model.materials});
+    write_model(staged, {with_backs(surface), report.input.model.materials});
     progress.advance(kShareOfTheModel);
     write_reports(staged, report);
     progress.advance(1.0);

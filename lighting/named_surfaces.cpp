@@ -37,7 +37,8 @@ std::vector<std::uint8_t> fitting_regions(const GridSite& site, const std::strin
   for (std::size_t r = 0; r < result.size(); ++r) {
     const mesh::Face& face = site.faces.faces[site.regions.face[r].index()];
     const bool by_part = face.part.valid() && parts[face.part.index()];
-    const bool by_material = face.material.valid() && materials[face.material.index()];
+    const bool by_material = (face.material.valid() && materials[face.material.index()]) ||
+                             (face.back_material.valid() && materials[face.back_material.index()]);
     if (by_part || by_material) result[r] = 1;
     if (by_part || by_material) fits = true;
   }

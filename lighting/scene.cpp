@@ -69,6 +69,13 @@ const Material& material_of(const Study& study, const Scene& scene, std::size_t 
   return study.materials[scene.faces.faces[face].material.index()];
 }
 
+/// Where two polygons lay back to back, each shows its own front.
+const SideMaterial& material_of(const Study& study, const Scene& scene, FaceSide side) {
+  const mesh::Face& face = scene.faces.faces[side.face.index()];
+  const Material& material = study.materials[face.material_of(side.side).index()];
+  return side.side == Side::kFront || face.back_material.valid() ? material.front : material.back;
+}
+
 bool is_coloured(const SideMaterial& side) {
   const auto& r = side.reflectance;
   return r && r->size() > 1 && std::any_of(r->begin(), r->end(), [&](float x) { return x != r->front(); });
@@ -111,7 +118,7 @@ void fill_reflectances(const Study& study, Scene& scene) {
     const FaceSide side = mesh::face_side(s);
     const std::size_t f = side.face.index();
     const Material& material = material_of(study, scene, f);
-    const SideMaterial& mine = side.side == Side::kFront ? material.front : material.back;
+    const SideMaterial& mine = material_of(study, scene, side);
     for (std::size_t c = 0; c < scene.channels; ++c) {
       float& rho = scene.reflectance[s * scene.channels + c];
       if (material.glazing) {
@@ -138,25 +145,38 @@ void fill_reflectances(const Study& study, Scene& scene) {
   }
 }
 
-/// Faces of one material that share an edge's vertices belong to one connected surface; gives a number a face.
+/// Sides of one material that share a vertex belong to one connected surface; gives a number a side.
 std::vector<std::size_t> connected_surfaces(const Scene& scene) {
-  std::vector<std::size_t> owner(scene.faces.count());
+  std::vector<std::size_t> owner(2 * scene.faces.count());
   std::iota(owner.begin(), owner.end(), std::size_t{0});
-  const auto find = [&](std::size_t f) {
-    while (owner[f] != f) f = owner[f] = owner[owner[f]];
-    return f;
+  const auto find = [&](std::size_t s) {
+    while (owner[s] != s) s = owner[s] = owner[owner[s]];
+    return s;
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;  // (vertex, material) → face
-  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
-    for (const mesh::Triangle& t : scene.faces.shape.of(FaceId(f))) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;  // (vertex, material) → side
+  for (std::size_t s = 0; s < owner.size(); ++s) {
+    const FaceSide side = mesh::face_side(s);
+    const std::uint32_t material = scene.faces.faces[side.face.index()].material_of(side.side).value;
+    for (const mesh::Triangle& t : scene.faces.shape.of(side.face)) {
       for (const std::uint32_t v : t.vertices) {
-        const auto [entry, added] = seen.try_emplace({v, scene.faces.faces[f].material.value}, f);
-        if (!added) owner[find(f)] = find(entry->second);
+        const auto [entry, added] = seen.try_emplace({v, material}, s);
+        if (!added) owner[find(s)] = find(entry->second);
       }
     }
   }
-  for (std::size_t f = 0; f < owner.size(); ++f) owner[f] = find(f);
+  for (std::size_t s = 0; s < owner.size(); ++s) owner[s] = find(s);
   return owner;
+}
+
+/// The area of each surface, of both sides of a face counted once [m²].
+std::vector<double> areas_of(const Scene& scene, const std::vector<std::size_t>& surface) {
+  std::vector<double> area(surface.size(), 0.0);
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    const double own = scene.faces.faces[f].area_m2;
+    area[surface[2 * f]] += own;
+    if (surface[2 * f + 1] != surface[2 * f]) area[surface[2 * f + 1]] += own;
+  }
+  return area;
 }
 
 /// The front shines; where it looks into a solid and the back into the open, the back does.
@@ -173,21 +193,20 @@ Side shining_side(Scene& scene, FaceId face, Side asked, const std::string& name
 void fill_exitances(const Study& study, Scene& scene) {
   scene.exitance.assign(2 * scene.faces.count() * scene.channels, 0.0F);
   const auto surface = connected_surfaces(scene);
-  std::vector<double> area(scene.faces.count(), 0.0);
-  for (std::size_t f = 0; f < scene.faces.count(); ++f) area[surface[f]] += scene.faces.faces[f].area_m2;
-  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
-    const Material& material = material_of(study, scene, f);
-    for (const Side asked : {Side::kFront, Side::kBack}) {
-      const auto& emission = (asked == Side::kFront ? material.front : material.back).emission;
-      if (!emission) continue;
-      const double both = material.front.emission && material.back.emission ? 2.0 : 1.0;
-      const double value = emission->flux_lm ? *emission->flux_lm / (both * area[surface[f]])
-                                             : std::numbers::pi * *emission->luminance_cd_m2;
-      const Side side = both > 1.0 ? asked : shining_side(scene, FaceId(f), asked, material.name);
-      const std::size_t first = FaceSide{FaceId(f), side}.index() * scene.channels;
-      std::fill_n(scene.exitance.begin() + static_cast<std::ptrdiff_t>(first), scene.channels,
-                  static_cast<float>(value));
-    }
+  const auto area = areas_of(scene, surface);
+  for (std::size_t s = 0; s < surface.size(); ++s) {
+    const FaceSide asked = mesh::face_side(s);
+    const auto& emission = material_of(study, scene, asked).emission;
+    if (!emission) continue;
+    const mesh::Face& face = scene.faces.faces[asked.face.index()];
+    const bool both = material_of(study, scene, {asked.face, mesh::other(asked.side)}).emission.has_value();
+    const double sides = both && !face.back_material.valid() ? 2.0 : 1.0;
+    const double value = emission->flux_lm ? *emission->flux_lm / (sides * area[surface[s]])
+                                           : std::numbers::pi * *emission->luminance_cd_m2;
+    const std::string& name = study.materials[face.material_of(asked.side).index()].name;
+    const Side side = both ? asked.side : shining_side(scene, asked.face, asked.side, name);
+    const std::size_t first = FaceSide{asked.face, side}.index() * scene.channels;
+    std::fill_n(scene.exitance.begin() + static_cast<std::ptrdiff_t>(first), scene.channels, static_cast<float>(value));
   }
 }
 
@@ -244,7 +263,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   scene.clean_report = surface.report;
   scene.notices = surface.report.notices;
   watcher.phase("faces");
-  scene.faces = mesh::build_faces(surface);
+  scene.faces = mesh::build_faces(surface, {}, &watcher);
   scene.sky = study.sky;
   for (PointSource p : study.point_sources) {
     p.at = p.at - scene.faces.origin;
@@ -258,8 +277,11 @@ Scene build_scene(const Study& study, Progress* progress) {
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
   fill_exitances(study, scene);
+  watcher.advance(0.2);
   find_reachable(scene);
+  watcher.advance(0.4);
   find_openings(scene);
+  watcher.advance(0.6);
   find_rooms(study, scene);
   scene.materials = material_uses(study);
   for (const GlazingCurves& g : scene.glazings) {

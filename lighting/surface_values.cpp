@@ -139,7 +139,7 @@ class SurfaceWriter {
     result_.reflectance.push_back(rho);
     result_.level.push_back(tree_.level(triangle));
     result_.part.push_back(static_cast<std::int32_t>(face.part.value));
-    result_.material.push_back(static_cast<std::int32_t>(face.material.value));
+    result_.material.push_back(static_cast<std::int32_t>(face.material_of(side.side).value));
     looks_.push_back({tree_.centroid(triangle), tree_.normal(element)});
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <unordered_set>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "mesh/nonplanar.h"
 #include "mesh/orientation.h"
 #include "mesh/panes.h"
+#include "mesh/phase_part.h"
 #include "mesh/placement.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
@@ -33,6 +35,13 @@ constexpr int kMaxRounds = 4;
 constexpr int kMaxAttempts = 8;
 /// Corners moved by welding and by vertices set into edges stay within twice the tolerance of their plane.
 constexpr double kPlanarityOverWeld = 2.0;
+
+// Shares of a phase's time, measured on a city block of furnished offices.
+constexpr double kShareOfSplits = 0.7;
+constexpr double kShareOfWidth = 0.3;
+constexpr double kShareOfClosing = 0.6;
+constexpr double kShareOfCutting = 0.8;
+constexpr double kShareOfLaterRounds = 0.2;  ///< of each, to those before it
 
 double total_area(const Soup& soup) {
   double sum = 0.0;
@@ -83,19 +92,23 @@ class Repair {
   DefectList run(CleanReport& report) {
     progress_.phase("welding");
     weld(soup_, tolerance_, defects_);
+    progress_.advance(0.5);
     drop_degenerate(soup_, tolerance_, defects_);
+    progress_.advance(0.8);
     if (reduce_all_panes(soup_, options_, model_, report.notices)) weld_again();
     progress_.phase("T-junctions");
-    make_conforming();
-    drop_duplicates(soup_, model_.material_names, defects_);
+    make_conforming(defects_, progress_);
+    drop_duplicates(soup_, {model_.material_names, options_.passable_materials}, defects_);
     progress_.phase("gaps");
     close_all_gaps(report);
     progress_.phase("intersections");
     tell(resolve_all_intersections(), report.notices);
-    drop_duplicates(soup_, model_.material_names, defects_);
+    drop_duplicates(soup_, {model_.material_names, options_.passable_materials}, defects_);
     progress_.phase("shells");
     remove_specks(soup_, defects_);
+    progress_.advance(0.3);
     report.closed_shells = orient_shells(soup_, defects_);
+    progress_.advance(0.9);
     const OpenEdges open = open_edges(soup_);
     report.open_edges = open.count;
     report.open_length_m = open.length_m;
@@ -110,11 +123,11 @@ class Repair {
   }
 
   /// Vertices on edges become corners of them, and polygons that welding or those corners bent become triangles.
-  void make_conforming() { make_conforming(defects_); }
-  void make_conforming(DefectList& defects) {
+  void make_conforming(DefectList& defects, Progress& progress) {
     for (int round = 0; round < kMaxRounds; ++round) {
       // Splitting comes to its end by itself; the other two make edges that have not been split.
       split_t_junctions(soup_, tolerance_, defects);
+      progress.advance(kShareOfSplits);
       bool changed = drop_degenerate(soup_, tolerance_, defects);
       changed |= triangulate_nonplanar(soup_, kPlanarityOverWeld * tolerance_, defects);
       if (!changed) break;
@@ -123,11 +136,13 @@ class Repair {
 
   void close_all_gaps(CleanReport& report) {
     report.gap_m = options_.gap_m ? *options_.gap_m : gap_of_precision(soup_, tolerance_);
+    progress_.advance(kShareOfWidth);
     for (int round = 0; round < kMaxRounds; ++round) {
       if (!close_gaps(soup_, report.gap_m, tolerance_, defects_)) break;
       weld_again();
       DefectList own_making;
-      make_conforming(own_making);
+      PhasePart conforming(progress_, kShareOfClosing, 1.0);
+      make_conforming(own_making, conforming);
     }
   }
 
@@ -139,7 +154,9 @@ class Repair {
     for (int round = 0; round < kMaxAttempts; ++round) {
       DefectList found;
       SolidMeetings of_round;
-      const bool changed = resolve_unless_opened(left_alone, found, of_round);
+      PhasePart part(progress_, 1.0 - std::pow(kShareOfLaterRounds, round),
+                     1.0 - std::pow(kShareOfLaterRounds, round + 1));
+      const bool changed = resolve_unless_opened(left_alone, found, of_round, part);
       defects_.append(std::move(found));
       // Later rounds see pieces of the contacts that the first one saw.
       if (round == 0) meetings.contacts = of_round.contacts;
@@ -154,20 +171,23 @@ class Repair {
   }
 
   /// @return whether anything changed
-  bool resolve_unless_opened(std::unordered_set<std::uint32_t>& left_alone, DefectList& found,
-                             SolidMeetings& meetings) {
+  bool resolve_unless_opened(std::unordered_set<std::uint32_t>& left_alone, DefectList& found, SolidMeetings& meetings,
+                             Progress& progress) {
     const Soup before = soup_;
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       found = {};
       meetings = {};
-      if (!resolve_intersections(soup_, tolerance_, model_.material_names, left_alone, found, meetings)) return false;
+      PhasePart cutting(progress, 0.0, kShareOfCutting);
+      if (!resolve_intersections(soup_, tolerance_, model_.material_names, left_alone, found, meetings, cutting))
+        return false;
       weld_again();
       DefectList own_making;
-      make_conforming(own_making);
+      PhasePart conforming(progress, kShareOfCutting, 1.0);
+      make_conforming(own_making, conforming);
       const std::unordered_set<std::uint32_t> opened = opened_sources(before, soup_);
       if (opened.empty()) {
         drop_covered(soup_);
-        drop_duplicates(soup_, model_.material_names, own_making);
+        drop_duplicates(soup_, {model_.material_names, options_.passable_materials}, own_making);
         return true;
       }
       // What opens although it was left alone was opened by what is cut beside it.
@@ -244,7 +264,12 @@ CleanSurface clean(const Model& model, const CleanOptions& options, Progress* pr
     }
   }
   report.area_after_m2 = total_area(soup);
-  surface.polygons = to_model(soup, model, surface.source, surface.flipped);
+  surface.polygons = to_model(soup, model);
+  for (const SoupPolygon& polygon : soup.polygons) {
+    surface.source.push_back(polygon.source);
+    surface.flipped.push_back(polygon.flipped ? 1 : 0);
+    surface.back_material.push_back(polygon.back_material);
+  }
   return surface;
 }
 

@@ -27,6 +27,8 @@ struct CleanOptions {
   /// Thin sheets: by material, whether its thin solids and double sheets are one pane, to be replaced by its
   /// mid-surface (glazing: the transmittance of the whole unit applies once). Empty: none.
   std::vector<bool> sheet_materials;
+  /// By material, whether light passes it (glazing, air): such polygons have one material on both sides. Empty: none.
+  std::vector<bool> passable_materials;
   /// Two parallel sheets at most this far apart are one pane [m].
   double pane_thickness_m = 0.1;
   /// A part whose box lies farther than this from the largest connected group is left out [m].
@@ -70,6 +72,9 @@ struct CleanSurface {
   /// Polygon → 1 where it is wound the other way round than its source. The sides of a face are those of the source: its front is
   /// the side from which the file's winding is counter-clockwise, whatever the clean-up turned.
   std::vector<std::uint8_t> flipped;
+  /// Polygon → the material on the back of its source, where that is another than on the front: two polygons lay there back to back.
+  /// Not valid for all others.
+  std::vector<MaterialId> back_material;
   CleanReport report;
 };
 

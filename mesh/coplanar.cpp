@@ -88,7 +88,8 @@ class Grouping {
   bool belongs(std::uint32_t polygon, std::uint32_t seed) const {
     const SoupPolygon& p = soup_.polygons[polygon];
     const SoupPolygon& s = soup_.polygons[seed];
-    if (!planes_[polygon] || p.material != s.material || (options_.same_part && p.part != s.part)) return false;
+    if (!planes_[polygon] || p.material != s.material || p.back_material != s.back_material) return false;
+    if (options_.same_part && p.part != s.part) return false;
     const Plane& plane = *planes_[seed];
     double perimeter = 0.0;
     bool near = true;

@@ -22,7 +22,7 @@ struct CoplanarOptions {
   bool same_part = true;  ///< groups end where another part begins
 };
 
-/// Groups the polygons of one material, plane and front that share edges and lie on different sides of them; a group never holds two
+/// Groups the polygons of one material a side, plane and front that share edges and lie on different sides of them; a group never holds two
 /// polygons that lie on each other at a shared edge. Every polygon that has a plane is in exactly one group.
 /// Groups are in the order of their first polygon.
 std::vector<CoplanarGroup> group_coplanar(const Soup& soup, const CoplanarOptions& options);

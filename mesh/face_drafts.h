@@ -20,6 +20,7 @@ using DirectedEdge = std::array<std::uint32_t, 2>;
 struct FaceDraft {
   PlaneCoordinates plane;
   MaterialId material;
+  MaterialId back_material;
   PartId part;
   /// Closed; the face lies on the left, seen from the front. An edge stands twice where the face winds twice round its left.
   std::vector<DirectedEdge> boundary;

@@ -12,12 +12,17 @@
 #include "mesh/curvature.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
+#include "mesh/phase_part.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
 
 namespace clerestory::mesh {
 
 namespace {
+
+/// Shares of the time up to the drafts and up to their contacts, measured on a city block.
+constexpr double kShareOfDrafts = 0.2;
+constexpr double kShareOfContacts = 0.6;
 
 /// The soup with its vertices put into the index. Nothing moves where the surface was cleaned with a weld tolerance of at least the
 /// plane tolerance; where it was not, this is what makes faces share vertices at all.
@@ -109,6 +114,7 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options,
   // Sides are those of the source: what the clean-up turned is turned back.
   for (std::size_t p = 0; p < surface.flipped.size(); ++p) {
     if (surface.flipped[p] != 0) flip(soup.polygons[p]);
+    soup.polygons[p].back_material = surface.back_material[p];
   }
   share_vertices_of(soup, drafts.vertices);
   drop_unusable(soup);
@@ -116,8 +122,12 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options,
        group_coplanar(soup, {options.plane_tolerance_m, options.angle_tolerance_rad, true})) {
     const SoupPolygon& first = soup.polygons[group.polygons[0]];
     facets.push_back(facets_of(surface, soup, group));
-    drafts.faces.push_back(
-        {plane_of_group(soup, group), first.material, first.part, boundary_of_group(soup, group), {}});
+    drafts.faces.push_back({plane_of_group(soup, group),
+                            first.material,
+                            first.back_material,
+                            first.part,
+                            boundary_of_group(soup, group),
+                            {}});
   }
   return drafts;
 }
@@ -141,23 +151,34 @@ void compact(std::span<const Point> points, Triangulation& shape) {
 
 }  // namespace
 
-Faces build_faces(const CleanSurface& surface, const FaceOptions& options) {
+Faces build_faces(const CleanSurface& surface, const FaceOptions& options, Progress* progress) {
+  NoProgress unwatched;
+  PhasePart watcher(progress != nullptr ? *progress : unwatched, 0.0, 1.0);
   std::vector<std::vector<std::uint32_t>> facets;
   FaceDrafts drafts = draft_faces(surface, options, facets);
+  watcher.advance(kShareOfDrafts);
   imprint_contacts(drafts);
+  PhasePart triangulating(watcher, kShareOfContacts, 1.0);
   Faces result;
   result.origin = surface.origin;
   result.material_names = surface.polygons.material_names;
   result.part_names = surface.polygons.part_names;
   result.curvature = surface.polygons.curvature;
   for (std::size_t d = 0; d < drafts.faces.size(); ++d) {
+    triangulating.advance(d, drafts.faces.size());
     const FaceDraft& draft = drafts.faces[d];
     const std::size_t before = result.shape.triangles.size();
     const double area = triangulate_face(drafts, draft, result.shape.triangles);
     if (result.shape.triangles.size() == before) continue;
     result.shape.starts.push_back(static_cast<std::uint32_t>(result.shape.triangles.size()));
-    result.faces.push_back(
-        {draft.plane.origin, draft.plane.frame, area, draft.material, draft.part, {}, std::move(facets[d])});
+    result.faces.push_back({draft.plane.origin,
+                            draft.plane.frame,
+                            area,
+                            draft.material,
+                            draft.back_material,
+                            draft.part,
+                            {},
+                            std::move(facets[d])});
     result.contact_count += draft.lines.size();
   }
   compact(drafts.vertices.points(), result.shape);

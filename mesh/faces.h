@@ -35,17 +35,22 @@ struct Triangulation {
   }
 };
 
-/// One planar face: coplanar, connected polygons of one material and one part, merged.
+/// One planar face: coplanar, connected polygons of one material a side and one part, merged.
 struct Face {
   Point origin;  ///< a point of the plane [m, local]
   Frame frame;   ///< w is the normal of the front
   double area_m2 = 0.0;
   MaterialId material;
+  MaterialId back_material = {};  ///< where the back is of another material, of which it is the front; else not valid
   PartId part;
   /// Loops of vertex indices: outer boundaries counter-clockwise seen from the front, holes clockwise.
   std::vector<std::vector<std::uint32_t>> loops;
   /// Of a curved part: the facets that lie in this plane, by index into the curvature; empty where the face is flat.
   std::vector<std::uint32_t> facets;
+
+  [[nodiscard]] MaterialId material_of(Side side) const {
+    return side == Side::kBack && back_material.valid() ? back_material : material;
+  }
 };
 
 /// All faces of a model. `shape` is the conforming triangulation with every contact imprinted: faces that touch share the
@@ -74,7 +79,8 @@ struct FaceOptions {
 
 /// Merges coplanar, same-material, same-part connected polygons into faces with holes, finds where other faces touch or cross each
 /// face, and imprints those contacts (CGAL constrained Delaunay triangulation, exact predicates).
-Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {});
+/// @param progress  hears which share is done; may be null
+Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {}, Progress* progress = nullptr);
 
 /// How the start mesh of the elements is made.
 struct MeshOptions {

@@ -13,6 +13,7 @@
 #include "mesh/edge_uses.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
+#include "mesh/phase_part.h"
 #include "mesh/polygon_pairs.h"
 
 namespace clerestory::mesh {
@@ -25,6 +26,9 @@ using Kind = PolygonPair::Kind;
 constexpr double kAreaRounding = 1e-9;
 /// Length of open edges that a polygon may get by rounding [m].
 constexpr double kOpenedLength = 1e-3;
+/// Shares of the time, measured on a city block: of the search for pairs, and of what comes before polygons are cut.
+constexpr double kShareOfSearch = 0.4;
+constexpr double kShareBeforeCutting = 0.6;
 
 std::string_view kind_of(Kind kind) {
   switch (kind) {
@@ -91,8 +95,11 @@ class Cutting {
   }
 
   /// @return whether anything changed
-  bool run(const std::vector<std::string>& material_names, DefectList& defects) {
-    for (std::size_t i = 0; i < involved_.size(); ++i) cut(i);
+  bool run(const std::vector<std::string>& material_names, DefectList& defects, PhasePart& progress) {
+    for (std::size_t i = 0; i < involved_.size(); ++i) {
+      progress.advance(i, involved_.size());
+      cut(i);
+    }
     cut_through_slits();
     tell(material_names, defects);
     return put_pieces();
@@ -108,7 +115,7 @@ class Cutting {
     Involved involved;
     involved.polygon = polygon;
     involved.region = region_of(soup_, p);
-    FaceDraft draft{involved.region->plane, p.material, p.part, {}, {}};
+    FaceDraft draft{involved.region->plane, p.material, p.back_material, p.part, {}, {}};
     for_each_edge(p, [&](std::uint32_t a, std::uint32_t b) {
       const std::uint32_t from = draft_vertex(a);
       const std::uint32_t to = draft_vertex(b);
@@ -388,15 +395,17 @@ std::unordered_map<std::uint32_t, double> open_length_by_source(const Soup& soup
 
 bool resolve_intersections(Soup& soup, double tolerance, const std::vector<std::string>& material_names,
                            const std::unordered_set<std::uint32_t>& left_alone, DefectList& defects,
-                           SolidMeetings& meetings) {
-  std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance);
+                           SolidMeetings& meetings, Progress& progress) {
+  PhasePart searching(progress, 0.0, kShareOfSearch);
+  std::vector<PolygonPair> pairs = find_polygon_pairs(soup, tolerance, &searching);
   set_contacts_aside(soup, pairs, meetings);
   leave_pairs(soup, left_alone, pairs, defects, meetings);
   if (pairs.empty()) {
     for (SoupPolygon& polygon : soup.polygons) polygon.checked = true;
     return false;
   }
-  return Cutting(soup, tolerance, pairs).run(material_names, defects);
+  PhasePart cutting(progress, kShareBeforeCutting, 1.0);
+  return Cutting(soup, tolerance, pairs).run(material_names, defects, cutting);
 }
 
 void leave_intersections(const Soup& soup, double tolerance, std::string_view reason, DefectList& defects,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/defects.h"
+#include "mesh/progress.h"
 #include "mesh/soup.h"
 
 // Private to mesh/.
@@ -30,10 +31,11 @@ struct SolidMeetings {
 /// "self-crossing polygons". Contacts of solids (mark_solids()) stay as they are.
 /// @param left_alone  sources of polygons whose pairs are told as left
 /// @param meetings    receives the number of contacts, and of crossings of solids that were left alone
+/// @param progress    hears which share of the work is done
 /// @return whether anything changed; then vertices near new ones have to be welded, and edges split at new vertices
 bool resolve_intersections(Soup& soup, double tolerance, const std::vector<std::string>& material_names,
                            const std::unordered_set<std::uint32_t>& left_alone, DefectList& defects,
-                           SolidMeetings& meetings);
+                           SolidMeetings& meetings, Progress& progress);
 
 /// Tells what is there and is not checked yet as left, but for meetings of solids.
 void leave_intersections(const Soup& soup, double tolerance, std::string_view reason, DefectList& defects,

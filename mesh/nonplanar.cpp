@@ -82,6 +82,7 @@ std::vector<SoupPolygon> triangles_of(const Soup& soup, const SoupPolygon& polyg
     SoupPolygon triangle;
     triangle.loops.push_back({vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]});
     triangle.material = polygon.material;
+    triangle.back_material = polygon.back_material;
     triangle.part = polygon.part;
     triangle.source = polygon.source;
     triangle.flipped = polygon.flipped;

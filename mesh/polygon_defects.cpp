@@ -71,6 +71,36 @@ std::uint64_t hash_of_edges(const SoupPolygon& polygon) {
   return sum;
 }
 
+/// Whether two polygons of the same edges look the same way in the file.
+bool look_alike(const Soup& soup, const SoupPolygon& a, const SoupPolygon& b) {
+  const bool alike = dot(newell(soup.points, a.loops[0]), newell(soup.points, b.loops[0])) > 0.0;
+  return alike == (a.flipped == b.flipped);
+}
+
+/// Whether the material of a polygon becomes that of the back of its twin.
+bool gives_back(const Soup& soup, const SoupPolygon& polygon, const SoupPolygon& twin, const MaterialFacts& materials) {
+  const auto passes = [&](const SoupPolygon& p) {
+    return p.material.index() < materials.passable.size() && materials.passable[p.material.index()];
+  };
+  return !twin.back_material.valid() && !passes(polygon) && !passes(twin) && !look_alike(soup, polygon, twin);
+}
+
+/// Tells of a polygon that lies on its twin, which may get its material on the back.
+void merge_into(SoupPolygon& twin, const SoupPolygon& polygon, const Soup& soup, const MaterialFacts& materials,
+                DefectList& defects) {
+  const DefectPlace place{polygon.source, place_of(soup, polygon), std::sqrt(area(soup.points, polygon))};
+  const std::string& kept = materials.names[twin.material.index()];
+  const std::string& other = materials.names[polygon.material.index()];
+  if (twin.material == polygon.material) {
+    defects.add("duplicate polygons", place);
+  } else if (gives_back(soup, polygon, twin, materials)) {
+    twin.back_material = polygon.material;
+    defects.add("polygons back to back", place, kept + " on the front, " + other + " on the back");
+  } else {
+    defects.add("duplicate polygons of different material", place, kept + " kept, " + other + " dropped");
+  }
+}
+
 }  // namespace
 
 bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects) {
@@ -106,14 +136,14 @@ void drop_unusable(Soup& soup) {
   std::erase_if(soup.polygons, [&](const SoupPolygon& polygon) { return !plane_of(soup.points, polygon, 0.0); });
 }
 
-void drop_duplicates(Soup& soup, const std::vector<std::string>& material_names, DefectList& defects) {
+void drop_duplicates(Soup& soup, const MaterialFacts& materials, DefectList& defects) {
   std::unordered_multimap<std::uint64_t, std::uint32_t> seen;  // hash of the edges → index in kept
   seen.reserve(soup.polygons.size());
   std::vector<SoupPolygon> kept;
   kept.reserve(soup.polygons.size());
   for (SoupPolygon& polygon : soup.polygons) {
     const std::uint64_t key = hash_of_edges(polygon);
-    const SoupPolygon* twin = nullptr;
+    SoupPolygon* twin = nullptr;
     for (auto [i, end] = seen.equal_range(key); i != end && twin == nullptr; ++i) {
       if (sorted_edges(kept[i->second]) == sorted_edges(polygon)) twin = &kept[i->second];
     }
@@ -122,14 +152,7 @@ void drop_duplicates(Soup& soup, const std::vector<std::string>& material_names,
       kept.push_back(std::move(polygon));
       continue;
     }
-    const DefectPlace place{polygon.source, place_of(soup, polygon), std::sqrt(area(soup.points, polygon))};
-    if (twin->material == polygon.material) {
-      defects.add("duplicate polygons", place);
-    } else {
-      defects.add(
-          "duplicate polygons of different material", place,
-          material_names[twin->material.index()] + " kept, " + material_names[polygon.material.index()] + " dropped");
-    }
+    merge_into(*twin, polygon, soup, materials, defects);
   }
   soup.polygons = std::move(kept);
 }

@@ -16,8 +16,15 @@ bool drop_degenerate(Soup& soup, double tolerance, DefectList& defects);
 /// Drops polygons without three distinct corners or without a plane, which no later stage can take, after separate_loops().
 void drop_unusable(Soup& soup);
 
-/// Of polygons with the same edges, either way round, keeps the first. Counts "duplicate polygons", and "duplicate polygons of
-/// different material" where that decides which material is seen.
-void drop_duplicates(Soup& soup, const std::vector<std::string>& material_names, DefectList& defects);
+/// What is known of a model's materials.
+struct MaterialFacts {
+  const std::vector<std::string>& names;
+  const std::vector<bool>& passable;  ///< as CleanOptions::passable_materials
+};
+
+/// Of polygons with the same edges, either way round, keeps the first. Counts "duplicate polygons"; "polygons back to back" where one of
+/// another material lies the other way round, which becomes the material of the back; and "duplicate polygons of different material"
+/// where that decides which material is seen.
+void drop_duplicates(Soup& soup, const MaterialFacts& materials, DefectList& defects);
 
 }  // namespace clerestory::mesh

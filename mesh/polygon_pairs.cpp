@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mesh/box_tree.h"
+#include "mesh/phase_part.h"
 
 namespace clerestory::mesh {
 
@@ -52,8 +53,9 @@ class PairSearch {
     tree_ = BoxTree(boxes_);
   }
 
-  std::vector<PolygonPair> run() {
+  std::vector<PolygonPair> run(PhasePart& progress) {
     for (std::uint32_t f = 0; f < soup_.polygons.size(); ++f) {
+      progress.advance(f, soup_.polygons.size());
       if (soup_.polygons[f].checked || !planes_[f]) continue;
       look_at_itself(f);
       const PlaneCoordinates plane{planes_[f]->origin, {{}, {}, planes_[f]->normal}};
@@ -212,8 +214,10 @@ PlanarRegion region_of(const Soup& soup, const SoupPolygon& polygon) {
   return {{plane->origin, frame_around(plane->normal)}, std::move(edges)};
 }
 
-std::vector<PolygonPair> find_polygon_pairs(const Soup& soup, double tolerance) {
-  return PairSearch(soup, tolerance).run();
+std::vector<PolygonPair> find_polygon_pairs(const Soup& soup, double tolerance, Progress* progress) {
+  NoProgress unwatched;
+  PhasePart part(progress != nullptr ? *progress : unwatched, 0.0, 1.0);
+  return PairSearch(soup, tolerance).run(part);
 }
 
 }  // namespace clerestory::mesh

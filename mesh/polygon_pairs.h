@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/planar_region.h"
+#include "mesh/progress.h"
 #include "mesh/soup.h"
 
 // Private to mesh/.
@@ -33,6 +34,7 @@ PlanarRegion region_of(const Soup& soup, const SoupPolygon& polygon);
 
 /// The pairs with at least one polygon that is not marked as checked, in order; polygons without a plane are in none. O(n log n)
 /// where polygons are near few others: boxes, then distances in floating point; only what passes is looked at in full.
-std::vector<PolygonPair> find_polygon_pairs(const Soup& soup, double tolerance);
+/// @param progress  hears which share is done; may be null
+std::vector<PolygonPair> find_polygon_pairs(const Soup& soup, double tolerance, Progress* progress = nullptr);
 
 }  // namespace clerestory::mesh

@@ -165,6 +165,7 @@ void Rays::Data::build(const Faces& faces, std::span<const std::uint8_t> passabl
                       .frame = face.frame,
                       .area_m2 = face.area_m2,
                       .material = face.material,
+                      .back_material = face.back_material,
                       .part = face.part,
                       .loops = {},
                       .facets = {}});

@@ -42,15 +42,12 @@ void flip(SoupPolygon& polygon) {
   polygon.flipped = !polygon.flipped;
 }
 
-Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source,
-               std::vector<std::uint8_t>& flipped) {
+Model to_model(const Soup& soup, const Model& names) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   Model model;
   model.material_names = names.material_names;
   model.part_names = names.part_names;
   model.curvature = names.curvature;
-  source.clear();
-  flipped.clear();
   std::vector<std::uint32_t> index(soup.points.size(), kUnused);
   for (const SoupPolygon& polygon : soup.polygons) {
     for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t) { index[a] = 0; });
@@ -68,8 +65,6 @@ Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>&
       for (const std::uint32_t corner : loop) corners.push_back(index[corner]);
       model.add_loop(corners);
     }
-    source.push_back(polygon.source);
-    flipped.push_back(polygon.flipped ? 1 : 0);
   }
   return model;
 }

@@ -15,6 +15,7 @@ namespace clerestory::mesh {
 struct SoupPolygon {
   std::vector<std::vector<std::uint32_t>> loops;
   MaterialId material;
+  MaterialId back_material = {};  ///< on the back of the source, where another polygon gave it one; else not valid
   PartId part;
   std::uint32_t source = 0;  ///< polygon of the model that it comes from
   bool flipped = false;      ///< wound the other way round than the source
@@ -36,10 +37,7 @@ struct Soup {
 Soup to_soup(const Model& model);
 
 /// The soup as a model, points that no polygon uses left out; names are those of the given model.
-/// @param source  receives the source of each polygon
-/// @param flipped  receives whether each is wound the other way round than its source
-Model to_model(const Soup& soup, const Model& names, std::vector<std::uint32_t>& source,
-               std::vector<std::uint8_t>& flipped);
+Model to_model(const Soup& soup, const Model& names);
 
 /// Winds a polygon the other way round.
 void flip(SoupPolygon& polygon);

@@ -85,6 +85,18 @@ TEST_F(CleanedModel, CleanedOnceMoreIsTheSame) {
   EXPECT_EQ(twice, once);
 }
 
+TEST_F(CleanedModel, PolygonsBackToBackAreBothWritten) {
+  test::write_text(model_,
+                   "# metres\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\nusemtl blue\nf 4 3 2 1\n");
+  clean_to(out_);
+  const mesh::Model back = read_model(out_).model;
+  ASSERT_EQ(back.polygon_count(), 2U);
+  EXPECT_THAT(back.loop(0), ElementsAre(0, 1, 2, 3));
+  EXPECT_EQ(back.material_names[back.polygon_material[0].index()], "red");
+  EXPECT_THAT(back.loop(1), ElementsAre(3, 2, 1, 0));
+  EXPECT_EQ(back.material_names[back.polygon_material[1].index()], "blue");
+}
+
 TEST_F(CleanedModel, EachDefectHasAMarkerInModelCoordinates) {
   clean_to(out_);
   vtkNew<vtkXMLPolyDataReader> reader;

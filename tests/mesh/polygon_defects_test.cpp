@@ -53,11 +53,11 @@ TEST(DropDuplicates, KeepsTheFirstOfEitherWinding) {
   Model model;
   support::add_quad(model, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {"wood", "a"});
   support::add_quad(model, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {"wood", "b"});
-  support::add_quad(model, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}, {"stone", "c"});
+  support::add_quad(model, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {"stone", "c"});
   support::add_quad(model, {0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {"wood", "d"});
   Soup soup = welded(model);
   DefectList list;
-  drop_duplicates(soup, model.material_names, list);
+  drop_duplicates(soup, {model.material_names, {}}, list);
   ASSERT_EQ(soup.polygons.size(), 2U);
   EXPECT_EQ(soup.polygons[0].source, 0U);
   EXPECT_EQ(soup.polygons[1].source, 3U);
@@ -66,6 +66,56 @@ TEST(DropDuplicates, KeepsTheFirstOfEitherWinding) {
   EXPECT_EQ(defects[0].kind, "duplicate polygons");
   EXPECT_EQ(defects[1].kind, "duplicate polygons of different material");
   EXPECT_EQ(defects[1].places[0].note, "wood kept, stone dropped");
+}
+
+/// A quad of wood and one of stone that lies on it the other way round, the two in either order.
+Model back_to_back(bool stone_first) {
+  Model model;
+  const auto wood = [&] { support::add_quad(model, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {"wood", "a"}); };
+  if (!stone_first) wood();
+  support::add_quad(model, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}, {"stone", "b"});
+  if (stone_first) wood();
+  return model;
+}
+
+TEST(DropDuplicates, BackToBackEachSideKeepsItsMaterial) {
+  for (const bool stone_first : {false, true}) {
+    const Model model = back_to_back(stone_first);
+    Soup soup = welded(model);
+    DefectList list;
+    drop_duplicates(soup, {model.material_names, {}}, list);
+    ASSERT_EQ(soup.polygons.size(), 1U);
+    const SoupPolygon& kept = soup.polygons[0];
+    EXPECT_EQ(model.material_names[kept.material.index()], stone_first ? "stone" : "wood");
+    EXPECT_EQ(model.material_names[kept.back_material.index()], stone_first ? "wood" : "stone");
+    const std::vector<Defect> defects = std::move(list).take({});
+    ASSERT_EQ(defects.size(), 1U);
+    EXPECT_EQ(defects[0].kind, "polygons back to back");
+    EXPECT_EQ(defects[0].places[0].note,
+              stone_first ? "stone on the front, wood on the back" : "wood on the front, stone on the back");
+  }
+}
+
+TEST(DropDuplicates, WhatLightPassesHasNoOtherBack) {
+  const Model model = back_to_back(false);
+  const std::vector<bool> stone_passes = {false, true};
+  Soup soup = welded(model);
+  DefectList list;
+  drop_duplicates(soup, {model.material_names, stone_passes}, list);
+  ASSERT_EQ(soup.polygons.size(), 1U);
+  EXPECT_FALSE(soup.polygons[0].back_material.valid());
+  EXPECT_EQ(std::move(list).take({})[0].kind, "duplicate polygons of different material");
+}
+
+TEST(DropDuplicates, TheFirstOfSeveralBacksStays) {
+  Model model = back_to_back(false);
+  support::add_quad(model, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}, {"brick", "c"});
+  Soup soup = welded(model);
+  DefectList list;
+  drop_duplicates(soup, {model.material_names, {}}, list);
+  ASSERT_EQ(soup.polygons.size(), 1U);
+  EXPECT_EQ(model.material_names[soup.polygons[0].back_material.index()], "stone");
+  EXPECT_EQ(std::move(list).take({}).size(), 2U);
 }
 
 }  // namespace
