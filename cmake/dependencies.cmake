@@ -6,6 +6,7 @@ find_package(CGAL 5.5 REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(embree 3.13 CONFIG REQUIRED)
 
+find_package(EXPAT 2.5 REQUIRED)
 find_package(assimp 5.2 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)

@@ -15,6 +15,7 @@
 #include "io/ply.h"
 #include "io/radiance.h"
 #include "io/radiance_scene.h"
+#include "io/sdf.h"
 #include "io/stl.h"
 #include "io/text_file.h"
 #include "io/words.h"
@@ -42,6 +43,7 @@ constexpr std::array kReaders{
     Reader{"Radiance", " .rad ", &looks_like_radiance, &read_radiance},
     Reader{"glTF", " .gltf .glb ", &is_glb, &read_gltf},
     Reader{"COLLADA", " .dae ", &is_collada, &read_collada},
+    Reader{"SDF", " .sdf .world ", &is_sdf, &read_sdf},
     Reader{"IFC", " .ifc ", &is_ifc, &read_ifc},
 };
 

@@ -15,6 +15,7 @@ packages=(
   libcgal-dev
   libcli11-dev
   libembree-dev
+  libexpat1-dev
   libfmt-dev
   libgmock-dev
   libgtest-dev

@@ -23,6 +23,7 @@ HEAVY = {
     "TBB": (r"(oneapi/)?tbb(/|\.h)", "lighting"),
     "assimp": (r"assimp/", "io"),
     "IfcPlusPlus": (r"ifcpp/|Ifc\w+\.h", "io"),
+    "expat": (r"expat\w*\.h", "io"),
     "VTK": (r"vtk\w*\.h", "io"),
     "toml++": (r"toml(\+\+|plusplus)|toml\.hpp", "io"),
     "nlohmann": (r"nlohmann/", "io"),
