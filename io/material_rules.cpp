@@ -93,7 +93,7 @@ MaterialAssumptions::Reflectance MaterialAssumptions::reflectance(const SourceMa
     const double reflectance = finish->reflectance + finish->specular;
     named_like_[fmt::format("Named like {}, and so with a reflectance of {:.2f}", finish->name, reflectance)].push_back(
         source.name);
-    if (finish->specular > 0.0) specular_.push_back(source.name);
+    if (finish->specular > 0.0) join_specular(source.name);
     return {lighting::Spectrum{static_cast<float>(reflectance)}, fmt::format("named like {}", finish->name)};
   }
   if (source.textured) {
@@ -109,7 +109,7 @@ std::optional<lighting::Spectrum> MaterialAssumptions::told_reflectance(const So
   if (source.textured || !source.diffuse) return std::nullopt;
   std::array<double, 3> colour = *source.diffuse;
   const double specular = source.specular.value_or(0.0);
-  if (specular != 0.0) specular_.push_back(source.name);
+  if (specular != 0.0) join_specular(source.name);
   for (double& band : colour) band += specular;
   // Programs export a colour of 1 1 1 for "white".
   const auto [least, most] = std::minmax_element(colour.begin(), colour.end());
@@ -121,9 +121,14 @@ std::optional<lighting::Spectrum> MaterialAssumptions::told_reflectance(const So
                             static_cast<float>(colour[2])};
 }
 
+void MaterialAssumptions::note_if_translucent(const SourceMaterial& source) {
+  if (!(source.translucent.value_or(0.0) > 0.0)) return;
+  translucent_.push_back(fmt::format("{} ({:.2f})", source.name, *source.translucent));
+}
+
 void MaterialAssumptions::decide(const SourceMaterial& source, lighting::Material& material) {
   if (source.shines) shining_.push_back(source.name);
-  if (source.translucent.value_or(0.0) > 0.0) translucent_.push_back(source.name);
+  note_if_translucent(source);
   if (!decide_glazing(source, material)) decide_sides(source, material);
 }
 
@@ -184,7 +189,7 @@ std::vector<std::string> MaterialAssumptions::sentences() const {
   add(fmt::format("The study gives a reflectance over {:.2f}, which hardly any surface has; it was taken as given",
                   kMostReflectance),
       too_bright_);
-  add("Diffuse transmission is not computed in this version, and they are opaque", translucent_);
+  add("Diffuse transmission (in brackets) is not computed in this version, and they are opaque", translucent_);
   add("Textures are not read; " + by_orientation, textured_);
   add("Nothing says what they are made of, and " + by_orientation, by_orientation_);
   add("How they shine has no photometric meaning, and they stay dark; give emission in the study", shining_);

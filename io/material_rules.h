@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,7 +39,12 @@ class MaterialAssumptions {
   Reflectance reflectance(const SourceMaterial& source);
 
   /// Notes that the specular reflectance of a material joined the diffuse one.
-  void join_specular(const std::string& name) { specular_.push_back(name); }
+  void join_specular(const std::string& name) {
+    if (std::find(specular_.begin(), specular_.end(), name) == specular_.end()) specular_.push_back(name);
+  }
+
+  /// Notes of a material that lets light pass diffusely in the model's file that it is opaque here.
+  void note_if_translucent(const SourceMaterial& source);
 
   /// Notes that the study gives more than real surfaces reflect.
   void note_too_bright(const std::string& name) { too_bright_.push_back(name); }

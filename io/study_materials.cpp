@@ -94,6 +94,8 @@ class MaterialReader {
                    lighting::Material& material);
   std::optional<lighting::Spectrum> reflectance_of(const StudyValue& entry, const Finish* finish,
                                                    const SourceMaterial& mtl);
+  void apply_back(const StudyValue& back, const SourceMaterial& mtl, lighting::Material& material);
+  lighting::Spectrum reflectance_of(const Finish& finish, const std::string& material);
   void note_if_too_clear(const lighting::Material& material);
   void join_specular(const StudyValue& entry, lighting::Material& material);
   void darken(lighting::Material& material);
@@ -112,7 +114,9 @@ void MaterialReader::read(const StudyValue* table) {
     for (const StudyValue& entry : table->children) entries_.push_back({&entry});
   for (const SourceMaterial& mtl : model_.materials) {
     study_.materials.push_back(material(mtl));
-    study_.clean.sheet_materials.push_back(study_.materials.back().glazing.has_value());
+    const lighting::Material& read = study_.materials.back();
+    study_.clean.sheet_materials.push_back(read.glazing.has_value());
+    study_.clean.passable_materials.push_back(read.glazing.has_value() || read.opening);
   }
   refuse_unmatched();
   for (std::string& sentence : assumed_.sentences()) study_.assumptions.push_back(std::move(sentence));
@@ -187,25 +191,41 @@ void MaterialReader::note_if_too_clear(const lighting::Material& material) {
 
 std::optional<lighting::Spectrum> MaterialReader::reflectance_of(const StudyValue& entry, const Finish* finish,
                                                                  const SourceMaterial& mtl) {
-  if (finish != nullptr) {
-    if (finish->specular > 0.0) assumed_.join_specular(mtl.name);
-    return lighting::Spectrum{static_cast<float>(finish->reflectance + finish->specular)};
-  }
+  if (finish != nullptr) return reflectance_of(*finish, mtl.name);
   const StudyValue* reflectance = entry.find("reflectance");
   return reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.reflectance(mtl).value;
 }
 
+lighting::Spectrum MaterialReader::reflectance_of(const Finish& finish, const std::string& material) {
+  if (finish.specular > 0.0) assumed_.join_specular(material);
+  return {static_cast<float>(finish.reflectance + finish.specular)};
+}
+
+void MaterialReader::apply_back(const StudyValue& back, const SourceMaterial& mtl, lighting::Material& material) {
+  const Finish* finish = finish_of(back);
+  if (finish != nullptr && finish->transmittance_normal)
+    throw back.find("finish")->error(
+        fmt::format("the back of material {} cannot be glass alone", in_quotes(material.name)),
+        "glass is the same from both sides: give the finish to the material itself");
+  expect_no_contradiction(back, finish);
+  if (finish != nullptr) {
+    material.back.reflectance = reflectance_of(*finish, mtl.name);
+    material.why += fmt::format(", finish {} on the back", finish->name);
+  } else if (const StudyValue* reflectance = back.find("reflectance")) {
+    material.back.reflectance = spectrum_of(*reflectance);
+  }
+  material.back.emission = emission_of(back);
+}
+
 void MaterialReader::apply_sides(const StudyValue& entry, const Finish* finish, const SourceMaterial& mtl,
                                  lighting::Material& material) {
+  assumed_.note_if_translucent(mtl);
   material.front.reflectance = reflectance_of(entry, finish, mtl);
   if (entry.find("specular") != nullptr) join_specular(entry, material);
   material.back.reflectance = material.front.reflectance;
   material.front.emission = emission_of(entry);
   const StudyValue* back = find_table(entry, "back");
-  if (back != nullptr) {
-    if (const StudyValue* other = back->find("reflectance")) material.back.reflectance = spectrum_of(*other);
-    material.back.emission = emission_of(*back);
-  }
+  if (back != nullptr) apply_back(*back, mtl, material);
   if (!material.front.emission) material.front.emission = told_emission(mtl);
   if (finish == nullptr && (is_too_bright(material.front) || is_too_bright(material.back)))
     assumed_.note_too_bright(material.name);

@@ -17,7 +17,7 @@ constexpr StudyKey kKeys[] = {
     {.path = "model.file",
      .type = kText,
      .meaning =
-         "The model: OBJ with its MTL files beside it, STL, PLY, OFF, DXF, glTF, COLLADA, IFC or Radiance. Relative to "
+         "The model: OBJ with its MTL files beside it, STL, PLY, OFF, DXF, glTF, COLLADA, SDF, IFC or Radiance. Relative to "
          "the study file.",
      .example = "\"office.obj\""},
     {.path = "model.units",
@@ -182,6 +182,10 @@ constexpr StudyKey kKeys[] = {
      .example = "0.5",
      .low = 0.0,
      .high = kMostReflectance},
+    {.path = "materials.*.back.finish",
+     .type = kText,
+     .meaning = "As above, in place of `reflectance`; no glass.",
+     .example = "\"white-paint\""},
     {.path = "materials.*.back.emission", .type = kTable, .meaning = "As above; not given: none."},
     {.path = "materials.*.back.emission.flux_lm",
      .type = kNumber,

@@ -136,7 +136,7 @@ TEST(MaterialRules, TranslucentMaterialsAreOpaqueAndItIsSaid) {
   lighting::Material material;
   assumed.decide(opal, material);
   EXPECT_THAT(*material.front.reflectance, ElementsAre(0.5F));
-  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("they are opaque: material opal")));
+  EXPECT_THAT(assumed.sentences(), testing::Contains(HasSubstr("they are opaque: material opal (0.30)")));
 }
 
 TEST(MaterialRules, ReflectancesBelowZeroAreClampedAndTold) {

@@ -136,6 +136,21 @@ TEST(StudyFile, AFinishStandsForItsNumbers) {
   EXPECT_EQ(material(study, "wall").glazing->transmittance_normal, 0.90);
 }
 
+TEST(StudyFile, TheBackMayHaveAFinishOfItsOwn) {
+  const StudyFolder folder;
+  const auto study = folder.read_materials("wall = { reflectance = 0.3, back = { finish = \"mirror\" } }\n");
+  EXPECT_THAT(*material(study, "wall").front.reflectance, ElementsAre(0.3F));
+  EXPECT_THAT(*material(study, "wall").back.reflectance, ElementsAre(0.99F));
+  EXPECT_EQ(material(study, "wall").why, "the study, finish mirror on the back");
+  EXPECT_THAT(study.assumptions, Contains(HasSubstr("The specular reflectance joins the diffuse one: material wall.")));
+}
+
+TEST(StudyFile, AMirrorOnBothSidesIsToldOnce) {
+  const StudyFolder folder;
+  const auto study = folder.read_materials("wall = { finish = \"mirror\", back = { finish = \"mirror\" } }\n");
+  EXPECT_THAT(study.assumptions, Contains(HasSubstr("The specular reflectance joins the diffuse one: material wall.")));
+}
+
 TEST(StudyFile, AFinishThatIsUnknownOrToldTwiceIsRefused) {
   const StudyFolder folder;
   const auto message = [&](const std::string& entry) {
@@ -152,6 +167,10 @@ TEST(StudyFile, AFinishThatIsUnknownOrToldTwiceIsRefused) {
               HasSubstr("material 'wall' cannot have reflectance beside finish"));
   EXPECT_THAT(message("wall = { finish = \"oak\", glazing = { transmittance = 0.5 } }\n"),
               HasSubstr("cannot have finish beside glazing"));
+  EXPECT_THAT(message("wall = { reflectance = 0.3, back = { finish = \"single-glazing\" } }\n"),
+              HasSubstr("the back of material 'wall' cannot be glass alone"));
+  EXPECT_THAT(message("wall = { reflectance = 0.3, back = { finish = \"oak\", reflectance = 0.3 } }\n"),
+              HasSubstr("cannot have reflectance beside finish"));
 }
 
 TEST(StudyFile, AReflectanceThatHardlyAnySurfaceHasIsPointedOut) {
