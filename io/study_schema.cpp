@@ -16,9 +16,9 @@ constexpr StudyKey kKeys[] = {
     {.path = "model", .type = kTable, .meaning = "The building and how to read it."},
     {.path = "model.file",
      .type = kText,
-     .meaning =
-         "The model: OBJ with its MTL files beside it, STL, PLY, OFF, DXF, glTF, COLLADA, SDF, IFC or Radiance. Relative to "
-         "the study file.",
+     .meaning = "The model: OBJ with its MTL files beside it, STL, PLY, OFF, DXF, glTF, COLLADA, SDF, IFC or Radiance. "
+                "Relative to "
+                "the study file.",
      .example = "\"office.obj\""},
     {.path = "model.units",
      .type = kWord,

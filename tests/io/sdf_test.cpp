@@ -42,7 +42,7 @@ class Sdf : public testing::Test {
     return read_model(file);
   }
   [[nodiscard]] std::string refusal(const std::string& world) const {
-    return test::refusal_of([&] { read(world); });
+    return test::refusal_of([&] { static_cast<void>(read(world)); });
   }
 
   test::ScratchFolder folder_;

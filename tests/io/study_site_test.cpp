@@ -22,7 +22,7 @@ class SiteFolder {
   [[nodiscard]] std::filesystem::path path() const { return scratch_.path(); }
   [[nodiscard]] StudyInput read(const std::string& more) const {
     test::write_text(path() / "study.toml", "[model]\nfile = 'wall.ifc'\n" + more);
-    return read_study(path() / "study.toml", {.kind = lighting::Study::Kind::kDaylight});
+    return read_study(path() / "study.toml", {.kind = lighting::Study::Kind::kDaylight, .set = {}});
   }
 
  private:
