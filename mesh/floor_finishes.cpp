@@ -65,9 +65,11 @@ class Finishes {
         finish_(columns.spans.size(), kNoFinish),
         top_(columns.spans.size(), -std::numeric_limits<double>::infinity()) {
     for (std::size_t f = 0; f < faces.count(); ++f) {
-      if (std::abs(faces.faces[f].frame.w.z) < kLevelCosine) continue;
+      const Face& face = faces.faces[f];
+      if (std::abs(face.frame.w.z) < kLevelCosine) continue;
+      const MaterialId finish = face.material_of(face.frame.w.z > 0.0 ? Side::kFront : Side::kBack);
       for (std::uint32_t t = faces.shape.starts[f]; t < faces.shape.starts[f + 1]; ++t) {
-        add(corners(faces, t), static_cast<std::uint32_t>(faces.faces[f].material.index()));
+        add(corners(faces, t), finish.value);
       }
     }
   }
