@@ -22,7 +22,7 @@ constexpr float kLevelStep = 0.02F;
 /// What stands on a floor is higher than this [m].
 constexpr float kFurniture = 0.3F;
 /// Counters and low walls are at least this high, tables are not [m].
-constexpr float kCounter = 0.8F;
+constexpr float kCounterHeight = 0.8F;
 /// … and no deeper than this, with what stands before it [m].
 constexpr double kDeepest = 0.9;
 /// A counter stands along a line when it is this near to it [m].
@@ -127,7 +127,7 @@ class Finishes {
     Stands found = Stands::kWall;
     for (std::uint32_t t = columns_.of(*column).first; t < columns_.of(*column).second; ++t) {
       if (cells_.of_span[t] != cells_.of_span[s]) continue;
-      if (columns_.spans[t].low < level(s) + kCounter) return Stands::kNothing;
+      if (columns_.spans[t].low < level(s) + kCounterHeight) return Stands::kNothing;
       found = Stands::kCounter;
     }
     return found;
