@@ -15,7 +15,6 @@ namespace clerestory::mesh {
 struct SoupPolygon {
   std::vector<std::vector<std::uint32_t>> loops;
   MaterialId material;
-  MaterialId back_material = {};  ///< on the back of the source, where another polygon gave it one; else not valid
   PartId part;
   std::uint32_t source = 0;  ///< polygon of the model that it comes from
   bool flipped = false;      ///< wound the other way round than the source
@@ -25,6 +24,7 @@ struct SoupPolygon {
   /// Of a closed solid: 1 where the front looks out of it, -1 where it looks in; else 0. Pieces keep it.
   std::int8_t outward = 0;
   std::uint32_t line = 0;
+  MaterialId back_material = {};  ///< on the back of the source, where another polygon gave it one; else not valid
 };
 
 /// A model while it is being repaired.
