@@ -121,14 +121,15 @@ void add_sensor_cells(vtkPolyData* data, const lighting::Sensors& sensors) {
   data->SetPoints(points);
 }
 
-void add_triangles(vtkPolyData* data, const lighting::SurfaceResult& surfaces) {
+void add_triangles(vtkPolyData* data, const std::vector<mesh::Point>& corners_of_all,
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surfaces.points.size()));
+  points->SetNumberOfPoints(static_cast<vtkIdType>(corners_of_all.size()));
   vtkIdType i = 0;
-  for (const mesh::Point& p : surfaces.points) points->SetPoint(i++, p.x, p.y, p.z);
+  for (const mesh::Point& p : corners_of_all) points->SetPoint(i++, p.x, p.y, p.z);
   vtkNew<vtkCellArray> cells;
-  for (const auto& corners : surfaces.cells) {
+  for (const auto& corners : triangles) {
     cells->InsertNextCell(3);
     for (const std::uint32_t corner : corners) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
   }
@@ -153,14 +154,18 @@ void add_surface_values(vtkPolyData* data, const lighting::SurfaceResult& surfac
   data->GetPointData()->SetNormals(vectors("normal", surfaces.point_normals));
 }
 
-void add_origin(vtkPolyData* data, const std::vector<std::string>& units, const lighting::Results& results,
-                const ResultContext& context) {
+void add_study(vtkPolyData* data, const std::vector<std::string>& units, const ResultContext& context) {
   vtkFieldData* const field = data->GetFieldData();
   field->AddArray(words("units", units));
   field->AddArray(words("sky", {context.sky}));
   field->AddArray(words("study", {context.study_name}));
   field->AddArray(words("version", {context.version}));
-  field->AddArray(
+}
+
+void add_origin(vtkPolyData* data, const std::vector<std::string>& units, const lighting::Results& results,
+                const ResultContext& context) {
+  add_study(data, units, context);
+  data->GetFieldData()->AddArray(
       numbers<vtkDoubleArray>("horizontal_illuminance_lux", std::array{results.horizontal_illuminance_lux}));
 }
 
@@ -250,7 +255,7 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
 void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,
                         const ResultContext& context) {
   vtkNew<vtkPolyData> data;
-  add_triangles(data, results.surfaces);
+  add_triangles(data, results.surfaces.points, results.surfaces.cells);
   add_surface_values(data, results.surfaces);
   add_origin(data,
              {"illuminance_lux: lx", "error_lux: lx, standard uncertainty (k = 1)", "radiosity_lm_m2: lm/m²",
@@ -259,6 +264,52 @@ void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Resul
   data->GetFieldData()->AddArray(words("part_names", results.surfaces.part_names));
   data->GetFieldData()->AddArray(words("material_names", results.surfaces.material_names));
   data->GetFieldData()->AddArray(words("room_names", results.surfaces.room_names));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+void write_elements_vtp(const std::filesystem::path& file, const lighting::ElementMesh& elements,
+                        const ResultContext& context) {
+  vtkNew<vtkPolyData> data;
+  add_triangles(data, elements.points, elements.cells);
+  vtkCellData* const cells = data->GetCellData();
+  cells->AddArray(numbers<vtkUnsignedCharArray>("side", elements.side));
+  cells->AddArray(numbers<vtkIntArray>("level", elements.level));
+  cells->AddArray(numbers<vtkFloatArray>("size_m", elements.size_m));
+  cells->AddArray(numbers<vtkFloatArray>("min_angle_deg", elements.min_angle_deg));
+  cells->AddArray(numbers<vtkIntArray>("face", elements.face));
+  cells->AddArray(numbers<vtkIntArray>("region", elements.region));
+  cells->AddArray(numbers<vtkIntArray>("patch", elements.patch));
+  cells->AddArray(numbers<vtkUnsignedCharArray>("shade", elements.shade));
+  cells->AddArray(numbers<vtkIntArray>("part", elements.part));
+  cells->AddArray(numbers<vtkIntArray>("material", elements.material));
+  add_study(data, {"size_m: m", "min_angle_deg: degrees"}, context);
+  data->GetFieldData()->AddArray(words("part_names", elements.part_names));
+  data->GetFieldData()->AddArray(words("material_names", elements.material_names));
+  write_whole_file(file, vtp_bytes(data));
+}
+
+void write_discontinuities_vtp(const std::filesystem::path& file, const lighting::ElementLines& lines,
+                               const ResultContext& context) {
+  vtkNew<vtkPoints> points;
+  PointPool pool(points);
+  vtkNew<vtkCellArray> cells;
+  for (const auto& ends : lines.ends) {
+    cells->InsertNextCell(2);
+    for (const mesh::Point& p : ends) cells->InsertCellPoint(pool.add(p));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(cells);
+  vtkCellData* const values = data->GetCellData();
+  values->AddArray(numbers<vtkUnsignedCharArray>("order", lines.order));
+  values->AddArray(numbers<vtkUnsignedCharArray>("no_sky", lines.no_sky));
+  values->AddArray(numbers<vtkUnsignedCharArray>("side", lines.side));
+  values->AddArray(numbers<vtkIntArray>("source", lines.source));
+  values->AddArray(numbers<vtkIntArray>("occluder", lines.occluder));
+  values->AddArray(numbers<vtkIntArray>("part", lines.part));
+  add_study(data, {"metres, z up"}, context);
+  data->GetFieldData()->AddArray(words("source_names", lines.source_names));
+  data->GetFieldData()->AddArray(words("part_names", lines.part_names));
   write_whole_file(file, vtp_bytes(data));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/result_context.h"
+#include "lighting/element_mesh.h"
 #include "lighting/results.h"
 #include "mesh/model.h"
 
@@ -44,6 +45,19 @@ void write_leaks_vtp(const std::filesystem::path& file, const lighting::Results&
 /// field array `kind_names`), `mended` (0 or 1), `polygon` (of the model as read, from 0), `size_m` (how bad), `note` in words.
 /// Throws MachineError when the file cannot be written whole.
 void write_defects_vtp(const std::filesystem::path& file, const mesh::CleanReport& report);
+
+/// Writes the elements of a study as VTK XML polygons (.vtp), one triangle a side. Cell data: `side` (0 front, 1 back, wound the other way),
+/// `level`, `size_m` (longest edge), `min_angle_deg`, `face`, `region` and `patch` (of the face), `shade` (0 faces no source, 1 lit, 2
+/// penumbra, 3 umbra), and the indices `part` and `material` into the field arrays `part_names`, `material_names`.
+/// Throws MachineError when the file cannot be written whole.
+void write_elements_vtp(const std::filesystem::path& file, const lighting::ElementMesh& elements,
+                        const ResultContext& context);
+
+/// Writes lines of discontinuity as VTK XML polygons (.vtp), one line a cell. Cell data: `order` (0, 1, 2), `no_sky` (0 or 1), `side`, and
+/// the indices `source` into the field array `source_names`, `occluder` and `part` into `part_names`.
+/// Throws MachineError when the file cannot be written whole.
+void write_discontinuities_vtp(const std::filesystem::path& file, const lighting::ElementLines& lines,
+                               const ResultContext& context);
 
 /// Whether write_leaks_vtp() has anything to write.
 bool has_leaks(const lighting::Results& results);

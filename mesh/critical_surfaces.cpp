@@ -48,7 +48,9 @@ class WedgeMaker {
  public:
   WedgeMaker(const Occluders& occluders, const ShadowSource& source, const WedgeLimit& limit,
              const std::function<void(const Wedge&)>& visit)
-      : occluders_(occluders), source_(source), left_(limit.most), visit_(visit) {}
+      : occluders_(occluders), source_(source), left_(limit.most), visit_(visit) {
+    mark(limit.seen);
+  }
 
   bool run() {
     switch (source_.kind) {
@@ -66,6 +68,25 @@ class WedgeMaker {
   }
 
  private:
+  /// Spreads what is known of edges to their ends.
+  void mark(const SeenEdges* seen) {
+    const std::size_t edges = occluders_.edges().size();
+    lit_edges_ = seen != nullptr ? seen->lit : std::vector<std::uint8_t>(edges, 1);
+    around_edges_ = seen != nullptr ? seen->around : std::vector<std::uint8_t>(edges, 1);
+    outdoor_edges_ = seen != nullptr ? seen->outdoors : std::vector<std::uint8_t>(edges, 1);
+    lit_vertices_.assign(occluders_.vertex_count(), 0);
+    for (std::size_t e = 0; e < edges; ++e) {
+      for (const std::uint32_t end : occluders_.edges()[e].ends) {
+        if (lit_edges_[e] != 0) lit_vertices_[end] = 1;
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_lit(const OccluderEdge& e) const { return lit_edges_[index_of(e)] != 0; }
+  [[nodiscard]] std::size_t index_of(const OccluderEdge& e) const {
+    return static_cast<std::size_t>(&e - occluders_.edges().data());
+  }
+
   void give(const Wedge& wedge) {
     if (left_ == 0) {
       exceeded_ = true;
@@ -82,6 +103,7 @@ class WedgeMaker {
     wedge.pivot = source_.at;
     wedge.towards = source_.towards;
     for (const OccluderEdge& e : occluders_.edges()) {
+      if (!is_lit(e)) continue;
       wedge.edge = occluders_.ends(e);
       const auto free =
           occluders_.free_side(e, wedge.parallel ? -source_.towards : line_between(source_.at, wedge.edge));
@@ -103,7 +125,9 @@ class WedgeMaker {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vector before = normalized(loop[i] - loop[(i + loop.size() - 1) % loop.size()]);
         const Vector after = normalized(loop[(i + 1) % loop.size()] - loop[i]);
-        for (const OccluderEdge& e : occluders_.edges()) source_vertex(loop[i], {before, after}, e);
+        for (const OccluderEdge& e : occluders_.edges()) {
+          if (is_lit(e)) source_vertex(loop[i], {before, after}, e);
+        }
       }
     }
   }
@@ -128,6 +152,7 @@ class WedgeMaker {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Ends edge{loop[i], loop[(i + 1) % loop.size()]};
         for (std::uint32_t v = 0; v < occluders_.vertex_count(); ++v) {
+          if (lit_vertices_[v] == 0) continue;
           const Point& p = occluders_.point(v);
           const double height = dot(p - source_.outline[0][0], source_.normal);
           if (std::abs(height) <= kInPlane || (height < 0.0 && !source_.two_sided)) continue;
@@ -187,6 +212,7 @@ class WedgeMaker {
     std::vector<const OccluderEdge*> frame;
     std::vector<bool> in_frame(occluders_.vertex_count(), false);
     for (const OccluderEdge& e : occluders_.edges()) {
+      if (around_edges_[index_of(e)] == 0) continue;
       Box box;
       for (const Point& p : occluders_.ends(e)) box.add(p);
       if (overlap(around, box)) frame.push_back(&e);
@@ -198,6 +224,7 @@ class WedgeMaker {
     }
     std::vector<bool> seen(occluders_.vertex_count(), false);
     for (const OccluderEdge& outdoors : occluders_.edges()) {
+      if (outdoor_edges_[index_of(outdoors)] == 0) continue;
       const std::optional<Ends> part = before_plane(occluders_.ends(outdoors), source_.outline[0][0], -source_.normal);
       if (!part || std::max((*part)[0].z, (*part)[1].z) <= around.low.z) continue;
       for (std::uint32_t v = 0; v < occluders_.vertex_count(); ++v) {
@@ -247,6 +274,10 @@ class WedgeMaker {
 
   const Occluders& occluders_;
   const ShadowSource& source_;
+  std::vector<std::uint8_t> lit_edges_;      ///< [edges]
+  std::vector<std::uint8_t> around_edges_;   ///< [edges]
+  std::vector<std::uint8_t> outdoor_edges_;  ///< [edges]
+  std::vector<std::uint8_t> lit_vertices_;   ///< [vertices] at such an edge
   std::size_t left_;
   const std::function<void(const Wedge&)>& visit_;
   bool exceeded_ = false;

@@ -10,6 +10,7 @@
 #include "mesh/discontinuity_sources.h"
 #include "mesh/geometry.h"
 #include "mesh/ids.h"
+#include "mesh/seen_edges.h"
 #include "mesh/silhouettes.h"
 
 // Private to mesh/.
@@ -40,9 +41,10 @@ struct Wedge {
   FaceId occluder;                     ///< a face at the edge or vertex that casts the shadow
 };
 
-/// How many critical surfaces a source may have.
+/// Which critical surfaces are wanted.
 struct WedgeLimit {
-  std::size_t most = 200000;
+  std::size_t most = 200000;        ///< of a source
+  const SeenEdges* seen = nullptr;  ///< edges that matter; null: all may
 };
 
 /// Calls visit for the critical surfaces of a source with all occluders: VE and EV for a polygon, shadow edges (order 0) for points

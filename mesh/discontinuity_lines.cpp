@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/discontinuity_lines.h"
 
+#include <limits>
+
 #include "mesh/critical_surfaces.h"
 #include "mesh/critical_trace.h"
+#include "mesh/seen_edges.h"
 #include "mesh/silhouettes.h"
 
 namespace clerestory::mesh {
+
+namespace {
+
+/// How far the source is from the occluder, along the middle of a traced piece's lines.
+double source_distance(const Wedge& wedge, const TracedPiece& piece) {
+  if (wedge.parallel || wedge.sky_behind) return std::numeric_limits<double>::infinity();
+  const Point touch = midpoint(piece.near[0], piece.near[1]);
+  if (wedge.kind == Wedge::Kind::kVertexEdge) return norm(touch - wedge.pivot);
+  return norm(midpoint(wedge.edge[0], wedge.edge[1]) - touch);
+}
+
+DiscontinuityLine line_of(const Wedge& wedge, const TracedPiece& piece, std::uint32_t source) {
+  DiscontinuityLine line;
+  line.face = piece.face;
+  line.side = piece.side;
+  line.ends = piece.far;
+  line.order = wedge.order;
+  line.no_sky = wedge.no_sky;
+  line.source = source;
+  line.occluder = wedge.occluder;
+  line.source_distance_m = source_distance(wedge, piece);
+  line.receiver_distance_m = norm(midpoint(piece.far[0], piece.far[1]) - midpoint(piece.near[0], piece.near[1]));
+  return line;
+}
+
+}  // namespace
 
 struct DiscontinuityFinder::Data {
   Data(const Faces& faces, const DiscontinuityOptions& asked)
@@ -35,11 +64,14 @@ FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t n
     data_->tracer.trace(wedge, pieces);
     for (const TracedPiece& p : pieces) {
       if (!data_->wanted({p.face, p.side})) continue;
-      found.lines.push_back({p.face, p.side, p.far, wedge.order, wedge.no_sky, number, wedge.occluder});
+      found.lines.push_back(line_of(wedge, p, number));
       if (wedge.no_sky) found.no_sky.push_back({p.near[0], p.near[1], p.far[1], p.far[0]});
     }
   };
-  found.stopped = !for_each_wedge(data_->occluders, source, {data_->options.most_critical_surfaces}, follow);
+  std::optional<SeenEdges> seen;
+  if (data_->options.rays != nullptr) seen = seen_edges(data_->occluders, source, *data_->options.rays);
+  const WedgeLimit limit{data_->options.most_critical_surfaces, seen ? &*seen : nullptr};
+  found.stopped = !for_each_wedge(data_->occluders, source, limit, follow);
   return found;
 }
 

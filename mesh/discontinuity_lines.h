@@ -13,6 +13,7 @@
 #include "mesh/faces.h"
 #include "mesh/geometry.h"
 #include "mesh/ids.h"
+#include "mesh/rays.h"
 
 namespace clerestory::mesh {
 
@@ -25,7 +26,11 @@ struct DiscontinuityLine {
   std::uint8_t order = 2;
   bool no_sky = false;       ///< where a window's head just hides what sky shows above a roof line opposite
   std::uint32_t source = 0;  ///< as the caller numbers it
-  FaceId occluder;           ///< a face at the edge or corner that casts the shadow
+  FaceId occluder{};         ///< a face at the edge or corner that casts the shadow
+  /// Along the middle of the lines of light that end here: from the source to where they touch the occluder, infinite for the sun and for
+  /// the sky beyond what stands outdoors; and from there to the face [m].
+  double source_distance_m = 0.0;
+  double receiver_distance_m = 0.0;
 };
 
 /// A plane part of the space between a window's head and what is behind it, above which there is no sky: corners in turn [m].
@@ -43,6 +48,8 @@ struct DiscontinuityOptions {
   std::span<const std::uint8_t> passable;       ///< [faces] non-zero for faces that light passes; empty: all are opaque
   std::span<const std::uint8_t> receives;       ///< [2 a face] non-zero for sides whose lines are wanted; empty: all
   std::size_t most_critical_surfaces = 200000;  ///< of a source
+  /// Where given, edges past which none of some sample rays from the source gets are left out: in a building most lie behind walls.
+  const Rays* rays = nullptr;
 };
 
 /// Finds the lines of discontinuity of sources on the faces of a model: the visible traces of the vertex-edge and edge-vertex

@@ -22,6 +22,8 @@ struct Triangle {
   std::uint8_t constrained = 0;
   /// Regions of a face are what its boundary and contact lines leave connected (edge to edge). Counted per face from 0.
   std::uint32_t region = 0;
+  /// Patches of a face are what these and the lines of discontinuity in its mesh leave connected. Counted per face from 0.
+  std::uint32_t patch = 0;
 };
 
 /// Triangles of all faces: face f has triangles[starts[f]] … triangles[starts[f+1]-1].
@@ -82,10 +84,19 @@ struct FaceOptions {
 /// @param progress  hears which share is done; may be null
 Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {}, Progress* progress = nullptr);
 
+/// A line that elements of a face must not cross [m, local]; off the face's plane by no more than rounding.
+struct FaceLine {
+  FaceId face;
+  std::array<Point, 2> ends;
+};
+
 /// How the start mesh of the elements is made.
 struct MeshOptions {
-  double max_size_m = 4.0;      ///< longest edge of an element
-  double min_angle_deg = 20.0;  ///< except next to input angles below 40 degrees
+  double max_size_m = 4.0;            ///< longest edge of an element
+  double min_angle_deg = 20.0;        ///< except next to input angles below 40 degrees
+  std::span<const FaceLine> lines{};  ///< in any order of faces; in each face the weightiest first
+  /// Lines, or parts of lines, nearer to each other than this are one, the first of them; no line is displaced by more [m].
+  double line_distance_m = 1e-3;
 };
 
 /// What the mesher could not do.
@@ -94,9 +105,13 @@ struct MeshReport {
   std::size_t small_angles = 0;        ///< triangles below the angle bound
   std::size_t small_input_angles = 0;  ///< of them, those at an input angle below 40 degrees
   double min_angle_deg = 180.0;
+  std::size_t lines = 0;                ///< given
+  std::size_t lines_merged = 0;         ///< of them, those that run along other lines, boundaries or contacts wholly
+  double line_length_m = 0.0;           ///< in the mesh
+  std::size_t faces_without_lines = 0;  ///< whose lines are too fine for the angle bound: their mesh has none
 };
 
-/// Constrained Delaunay refinement of every face with its contacts [Ruppert 1995; Shewchuk 2002], regions as in `shape`.
+/// Constrained Delaunay refinement of every face with its contacts and lines [Ruppert 1995; Shewchuk 2002], regions as in `shape`.
 Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshReport* report = nullptr);
 
 }  // namespace clerestory::mesh

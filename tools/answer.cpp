@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <string>
 #include <utility>
 
-#include "clerestory_version.h"
 #include "io/result_folder.h"
 #include "io/stopwatch.h"
 #include "io/study_file.h"
@@ -20,6 +18,7 @@
 #include "tools/failure.h"
 #include "tools/interruption.h"
 #include "tools/report.h"
+#include "tools/run_context.h"
 #include "tools/standard_output.h"
 #include "tools/terminal_progress.h"
 #include "tools/with_file.h"
@@ -35,34 +34,6 @@ struct Answer {
   lighting::Results results;
   std::string summary;
 };
-
-std::string sky_in_words(const lighting::Sky& sky) {
-  switch (sky.type) {
-    case lighting::Sky::Type::kNone:
-      return "no sky";
-    case lighting::Sky::Type::kUniform:
-      return fmt::format("uniform sky of {:.6g} lx", sky.horizontal_illuminance_lux);
-    case lighting::Sky::Type::kCieOvercast:
-      return fmt::format("CIE overcast sky of {:.6g} lx", sky.horizontal_illuminance_lux);
-  }
-  return {};
-}
-
-/// Local time with its offset, as in ISO 8601.
-std::string now_text() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[40];
-  std::string date(text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", &local));
-  return date.insert(date.size() - 2, ":");
-}
-
-io::ResultContext context_of(const io::StudyInput& input, const Options& options) {
-  const lighting::Study& study = input.study;
-  return {study.name,      study.kind,           kVersion,  sky_in_words(study.sky), study.north_deg,
-          options.command, input.effective_json, now_text()};
-}
 
 /// Runs and writes. What goes wrong by nobody's wish is told in the folder before it is told to the user.
 Answer run_and_write(const lighting::Study& study, const io::ResultContext& context, io::RunFigures figures,

@@ -9,6 +9,7 @@
 #include "tools/illuminance.h"
 #include "tools/inspect.h"
 #include "tools/interruption.h"
+#include "tools/mesh.h"
 #include "tools/options.h"
 #include "tools/standard_output.h"
 
@@ -26,6 +27,8 @@ int run(const Request& request) {
       return inspect(request.options);
     case Request::What::kClean:
       return clean(request.options);
+    case Request::What::kMesh:
+      return mesh(request.options);
     case Request::What::kText:
       break;
   }

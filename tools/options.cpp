@@ -22,6 +22,7 @@ constexpr double kCoarsestAccuracy = 0.5;  // as the study file has it
 constexpr const char* kMainFooter = R"(Examples:
   clerestory inspect office.ifc                       parts, materials, rooms and defects of a model
   clerestory clean office.ifc -o office.obj           the mended model
+  clerestory mesh office.toml                         its elements and shadow lines, for ParaView
   clerestory daylight office.obj                      daylight factors of a model, every setting at its default
   clerestory daylight office.toml -o results          of a study, results in the folder results/
   clerestory illuminance office.toml --accuracy 5%    illuminance under the study's sky and lamps, quickly
@@ -43,6 +44,12 @@ constexpr const char* kCleanFooter = R"(Examples:
   clerestory clean scan.ply -o clean.glb --gap 0.005  gaps of up to 5 mm are closed
   clerestory clean office.obj -o copy.vtp --repair off
                                                       another format, mended in nothing
+)";
+
+constexpr const char* kMeshFooter = R"(Examples:
+  clerestory mesh office.toml                         office-mesh/elements.vtp and discontinuities.vtp, for ParaView
+  clerestory mesh office.obj -o mesh --lines          the shadow lines alone
+  clerestory mesh office.toml --accuracy 1%           more lines than at the 2 % of the default
 )";
 
 constexpr const char* kDaylightFooter = R"(Examples:
@@ -72,6 +79,8 @@ constexpr std::array kCommands{
     Command{Request::What::kInspect, "inspect", "What is in a model: parts, materials, rooms, defects", kInspectFooter,
             "inspect office.obj"},
     Command{Request::What::kClean, "clean", "Writes the mended model", kCleanFooter, "clean office.ifc -o clean.obj"},
+    Command{Request::What::kMesh, "mesh", "The elements and shadow lines of a study, for ParaView", kMeshFooter,
+            "mesh office.toml"},
     Command{Request::What::kDaylight, "daylight", "Daylight factors under the CIE overcast sky", kDaylightFooter,
             "daylight office.toml"},
     Command{Request::What::kIlluminance, "illuminance", "Illuminance under the study's sky and lamps",
@@ -98,6 +107,7 @@ struct Raw {
   bool quiet = false;
   bool json = false;
   bool strict = false;
+  bool lines = false;
 };
 
 void add_common_options(CLI::App& app, Raw& raw) {
@@ -115,8 +125,8 @@ void add_common_options(CLI::App& app, Raw& raw) {
   app.allow_extras();
 }
 
-void add_run_options(CLI::App& app, Raw& raw) {
-  app.add_option("-o,--out", raw.out, "Folder of the results (default: STUDY-results beside the study)")
+void add_run_options(CLI::App& app, Raw& raw, const std::string& default_folder = "STUDY-results") {
+  app.add_option("-o,--out", raw.out, "Folder of the results (default: " + default_folder + " beside the study)")
       ->type_name("DIR");
   app.add_option("--accuracy", raw.accuracy, "Accuracy to reach, as 2% or 0.02 (default: the study's, or 2 %)")
       ->type_name("SHARE");
@@ -153,6 +163,10 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
     case Request::What::kClean:
       own.add_option("-o,--out", raw.out, "The model to write: .obj, .ply, .gltf, .glb or .vtp")->type_name("FILE");
       add_model_options(own, raw);
+      break;
+    case Request::What::kMesh:
+      add_run_options(own, raw, "STUDY-mesh");
+      own.add_flag("--lines", raw.lines, "The shadow lines alone");
       break;
     default:
       add_run_options(own, raw);
@@ -218,8 +232,9 @@ std::string command_text(std::span<const char* const> words) {
   return text;
 }
 
-std::filesystem::path default_out(const std::filesystem::path& study) {
-  return study.parent_path() / (study.stem().string() + "-results");
+std::filesystem::path default_out(const Command& command, const std::filesystem::path& study) {
+  const char* const ending = command.what == Request::What::kMesh ? "-mesh" : "-results";
+  return study.parent_path() / (study.stem().string() + ending);
 }
 
 /// The command line's own words for keys of the study, behind the user's --set.
@@ -243,12 +258,13 @@ Options options_of(const Command& command, const Raw& raw, std::span<const char*
       throw CommandLineError(fmt::format("--set {} has no value; write --set key=value", io::in_quotes(assignment)));
   Options options;
   options.study = raw.study;
-  options.out = raw.out.empty() ? default_out(raw.study) : std::filesystem::path(raw.out);
+  options.out = raw.out.empty() ? default_out(command, raw.study) : std::filesystem::path(raw.out);
   options.set = settings_of(raw);
   options.threads = raw.threads;
   options.quiet = raw.quiet;
   options.json = raw.json;
   options.strict = raw.strict;
+  options.lines = raw.lines;
   options.command = command_text(words);
   return options;
 }

@@ -25,12 +25,13 @@ struct Options {
   bool quiet = false;
   bool json = false;
   bool strict = false;  ///< of inspect: what cannot be mended is an error
+  bool lines = false;   ///< of mesh: the shadow lines alone
   std::string command;  ///< the whole command line, words quoted where a shell needs it
 };
 
 /// What the command line asks for: a subcommand, or a text to be printed.
 struct Request {
-  enum class What { kText, kInspect, kClean, kDaylight, kIlluminance };
+  enum class What { kText, kInspect, kClean, kMesh, kDaylight, kIlluminance };
 
   What what = What::kText;
   std::string text;  ///< of --help and --version

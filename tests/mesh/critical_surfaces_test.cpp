@@ -27,7 +27,7 @@ ShadowSource triangle_at(double z) {
 
 std::vector<Wedge> wedges_of(const Occluders& occluders, const ShadowSource& source, std::size_t most = 1000) {
   std::vector<Wedge> wedges;
-  for_each_wedge(occluders, source, {most}, [&](const Wedge& w) { wedges.push_back(w); });
+  for_each_wedge(occluders, source, {.most = most}, [&](const Wedge& w) { wedges.push_back(w); });
   return wedges;
 }
 
@@ -72,8 +72,8 @@ TEST(CriticalSurfaces, StopAtTheLimit) {
   const Faces faces = plate();
   const Occluders occluders(faces);
   EXPECT_EQ(wedges_of(occluders, triangle_at(2), 7).size(), 7U);
-  EXPECT_FALSE(for_each_wedge(occluders, triangle_at(2), {7}, [](const Wedge&) {}));
-  EXPECT_TRUE(for_each_wedge(occluders, triangle_at(2), {24}, [](const Wedge&) {}));
+  EXPECT_FALSE(for_each_wedge(occluders, triangle_at(2), {.most = 7}, [](const Wedge&) {}));
+  EXPECT_TRUE(for_each_wedge(occluders, triangle_at(2), {.most = 24}, [](const Wedge&) {}));
 }
 
 }  // namespace

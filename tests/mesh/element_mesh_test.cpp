@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
+#include "mesh/discontinuity_lines.h"
 #include "mesh/faces.h"
 #include "tests/support/shapes.h"
 #include "tests/support/surface_checks.h"
@@ -103,6 +105,44 @@ TEST(ElementMesh, ConstrainedFlagsFollowTheSplits) {
     }
   }
   EXPECT_NEAR(length, 2 * (6.0 + 4.0) + 2 * 2.0, 1e-9);  // the outline once, the contact from both sides
+}
+
+/// The lines that a lamp makes through a plate on a floor, turned so that nothing is in line with anything.
+std::vector<FaceLine> shadow_lines(const Faces& faces) {
+  ShadowSource lamp;
+  lamp.normal = {0, 0, -1};
+  lamp.outline = {{{-0.3, -0.2, 2.0}, {0.5, -0.1, 2.0}, {0.4, 0.3, 2.0}, {-0.4, 0.2, 2.0}}};
+  for (Point& p : lamp.outline[0]) p = p - faces.origin;
+  std::vector<FaceLine> lines;
+  for (const DiscontinuityLine& l : DiscontinuityFinder(faces).find(lamp, 0).lines) lines.push_back({l.face, l.ends});
+  return lines;
+}
+
+TEST(ElementMesh, TrianglesDoNotCrossLines) {
+  Model model;
+  support::add_quad(model, {-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}, {"floor", "floor"});
+  support::add_quad(model, {-0.5, -0.4, 1}, {0.5, -0.4, 1}, {0.5, 0.4, 1}, {-0.5, 0.4, 1}, {"plate", "plate"});
+  support::add_quad(model, {1, -1, 0}, {1, 1, 0}, {1, 1, 0.5}, {1, -1, 0.5}, {"screen", "screen"});
+  const Faces faces = faces_from(model);
+  const FaceId floor = support::faces_of(faces, "floor").at(0);
+  const std::vector<FaceLine> lines = shadow_lines(faces);
+  ASSERT_GT(lines.size(), 30U);
+  MeshOptions options;
+  options.lines = lines;
+  MeshReport report;
+  const Triangulation mesh = mesh_faces(faces, options, &report);
+  expect_same_areas(faces, mesh);
+  EXPECT_EQ(report.lines, lines.size());
+  EXPECT_EQ(report.faces_without_lines, 0U);
+  EXPECT_LT(10 * report.small_angles, report.triangles);
+  EXPECT_LT(10 * (report.small_angles - report.small_input_angles), report.small_angles);
+  for (const FaceLine& line : lines) {
+    EXPECT_EQ(support::triangles_cut(mesh, line.face, line.ends[0], line.ends[1], 1.5e-3), 0U);
+  }
+  std::set<std::uint32_t> patches;
+  for (const Triangle& t : mesh.of(floor)) patches.insert(t.patch);
+  EXPECT_GT(patches.size(), 10U);
+  EXPECT_EQ(support::region_count(mesh, floor), support::region_count(faces.shape, floor));
 }
 
 TEST(ElementMesh, EndsAtSmallInputAnglesAndCountsThem) {

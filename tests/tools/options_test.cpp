@@ -57,6 +57,13 @@ TEST(Options, CleanNeedsAFileToWrite) {
   EXPECT_EQ(read({"clean", "a.obj", "-o", "b.ply"}).options.out, "b.ply");
 }
 
+TEST(Options, MeshHasAFolderOfItsOwnAndMayAskForLinesAlone) {
+  EXPECT_EQ(read({"mesh", "a.toml"}).options.out, "a-mesh");
+  EXPECT_FALSE(read({"mesh", "a.toml"}).options.lines);
+  EXPECT_TRUE(read({"mesh", "a.toml", "--lines"}).options.lines);
+  EXPECT_THAT(complaint({"daylight", "a.toml", "--lines"}), HasSubstr("unknown option '--lines'"));
+}
+
 TEST(Options, OverridesKeepTheirOrderAndTheAccuracyIsTheLast) {
   const auto set = read({"daylight", "--accuracy", "5%", "--set", "a=1", "a.toml", "--set=b.c=[1, 2]"}).options.set;
   EXPECT_THAT(set, ElementsAre("a=1", "b.c=[1, 2]", "accuracy.target=0.05"));

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/face_lines.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "mesh/line_arrangement.h"
+
+namespace clerestory::mesh {
+
+namespace {
+
+/// Components narrower than this share of the distance between lines come from rounding.
+constexpr double kSliverShare = 1e-3;
+
+using Segment = LineArrangement::Segment;
+
+/// The constrained edges of a triangulation, each once: those of one triangle alone bound the face, which lies on their left.
+std::vector<Segment> constrained_edges(const PlanarMesh& mesh) {
+  std::map<std::array<std::uint32_t, 2>, bool> directed;
+  for (const PlanarTriangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((t.constrained >> k & 1U) != 0) directed[{t.vertices[k], t.vertices[(k + 1) % 3]}] = true;
+    }
+  }
+  std::vector<Segment> segments;
+  for (const auto& [edge, present] : directed) {
+    const bool twice = directed.contains({edge[1], edge[0]});
+    if (!twice || edge[0] < edge[1]) segments.push_back({edge[0], edge[1], !twice, false});
+  }
+  return segments;
+}
+
+/// Triangulates what the arrangement holds.
+PlanarMesh triangulated(const LineArrangement& arrangement, double distance) {
+  PlanarGraph graph;
+  graph.points = arrangement.points();
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  for (const Segment& s : arrangement.segments()) {
+    graph.segments.push_back({s.from, s.to});
+    if (s.boundary) boundary.push_back({s.from, s.to});
+  }
+  return triangulate_inside(std::move(graph), boundary, kSliverShare * distance);
+}
+
+/// How far inside of a triangle a point is: its least barycentric coordinate.
+double depth_in(const PlanarMesh& mesh, const PlanarTriangle& t, const Point2& p) {
+  const Point2& a = mesh.points[t.vertices[0]];
+  const Point2& b = mesh.points[t.vertices[1]];
+  const Point2& c = mesh.points[t.vertices[2]];
+  const double area = doubled_area(a, b, c);
+  if (area <= 0.0) return -std::numeric_limits<double>::infinity();
+  return std::min({doubled_area(a, b, p), doubled_area(b, c, p), doubled_area(c, a, p)}) / area;
+}
+
+std::uint32_t component_at(const PlanarMesh& mesh, const Point2& p) {
+  double deepest = -std::numeric_limits<double>::infinity();
+  std::uint32_t component = 0;
+  for (const PlanarTriangle& t : mesh.triangles) {
+    if (const double depth = depth_in(mesh, t, p); depth > deepest) {
+      deepest = depth;
+      component = t.component;
+    }
+  }
+  return component;
+}
+
+/// For each patch the component of the coarse mesh in which the middle of its largest triangle lies.
+std::vector<std::uint32_t> regions_of_patches(const PlanarMesh& coarse, const PlanarMesh& mesh) {
+  std::vector<double> largest(mesh.component_count, 0.0);
+  std::vector<Point2> middles(mesh.component_count);
+  for (const PlanarTriangle& t : mesh.triangles) {
+    const Point2& a = mesh.points[t.vertices[0]];
+    const Point2& b = mesh.points[t.vertices[1]];
+    const Point2& c = mesh.points[t.vertices[2]];
+    const double area = doubled_area(a, b, c);
+    if (area <= largest[t.component]) continue;
+    largest[t.component] = area;
+    middles[t.component] = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
+  }
+  std::vector<std::uint32_t> regions;
+  for (const Point2& p : middles) regions.push_back(coarse.component_count > 1 ? component_at(coarse, p) : 0);
+  return regions;
+}
+
+/// Whether each component of the coarse mesh has a patch: one that is a rounded sliver may have been lost with the lines.
+bool all_there(const std::vector<std::uint32_t>& region_of_patch, std::uint32_t regions) {
+  std::vector<bool> there(regions, false);
+  for (const std::uint32_t r : region_of_patch) there[r] = true;
+  return std::find(there.begin(), there.end(), false) == there.end();
+}
+
+LinedMesh without_lines(PlanarMesh coarse) {
+  LinedMesh result;
+  result.region_of_patch.resize(coarse.component_count);
+  std::iota(result.region_of_patch.begin(), result.region_of_patch.end(), 0U);
+  result.mesh = std::move(coarse);
+  return result;
+}
+
+}  // namespace
+
+LinedMesh with_lines(PlanarMesh coarse, std::span<const std::array<Point2, 2>> lines, double distance) {
+  if (lines.empty()) return without_lines(std::move(coarse));
+  LineArrangement arrangement(coarse.points, constrained_edges(coarse), distance);
+  LinedMesh result;
+  for (const auto& [a, b] : lines) {
+    const double added = arrangement.add(a, b);
+    result.length_m += added;
+    if (added == 0.0) ++result.merged;
+  }
+  result.mesh = triangulated(arrangement, distance);
+  result.region_of_patch = regions_of_patches(coarse, result.mesh);
+  if (!all_there(result.region_of_patch, coarse.component_count)) return without_lines(std::move(coarse));
+  return result;
+}
+
+}  // namespace clerestory::mesh
