@@ -35,7 +35,7 @@ Json elements_json(const lighting::MeshedStudy& meshed) {
           {"below_angle_bound", report.small_angles},
           {"at_small_input_angles", report.small_input_angles},
           {"line_length_m", report.line_length_m},
-          {"faces_without_lines", report.faces_without_lines}};
+          {"faces_with_fewer_lines", report.faces_with_fewer_lines}};
 }
 
 std::string summary_of(const lighting::MeshedStudy& meshed, const ResultContext& context,

@@ -72,11 +72,13 @@ FaceMesh mesh_face(const PlanarMesh& shape, double area, std::span<const std::ar
                    const MeshOptions& options, MeshReport& report) {
   FaceMesh face{with_lines(shape, lines, options.line_distance_m), {}};
   std::optional<PlanarMesh> fine = refined(face.coarse.mesh, area, options);
+  bool all_in = face.coarse.left_out == 0;
   if (!fine && !lines.empty()) {
-    ++report.faces_without_lines;
+    all_in = false;
     face.coarse = with_lines(shape, {}, options.line_distance_m);
     fine = refined(face.coarse.mesh, area, options);
   }
+  if (!all_in) ++report.faces_with_fewer_lines;
   face.fine = fine ? std::move(*fine) : face.coarse.mesh;
   return face;
 }

@@ -2,9 +2,11 @@
 #include "mesh/face_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "mesh/line_arrangement.h"
@@ -101,10 +103,22 @@ LinedMesh without_lines(PlanarMesh coarse) {
   return result;
 }
 
-}  // namespace
+/// Whether a triangulation has no more vertices than the arrangement, which then held all crossings, and no triangle too thin to be refined.
+bool is_sound(const PlanarMesh& mesh, std::size_t points, double distance) {
+  if (mesh.points.size() > points) return false;
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const PlanarTriangle& t) {
+    const Point2& a = mesh.points[t.vertices[0]];
+    const Point2& b = mesh.points[t.vertices[1]];
+    const Point2& c = mesh.points[t.vertices[2]];
+    const double longest = std::max(
+        {std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y), std::hypot(a.x - c.x, a.y - c.y)});
+    return doubled_area(a, b, c) > kSliverShare * distance * longest;
+  });
+}
 
-LinedMesh with_lines(PlanarMesh coarse, std::span<const std::array<Point2, 2>> lines, double distance) {
-  if (lines.empty()) return without_lines(std::move(coarse));
+/// Nothing where the mesh is not sound, or has lost a region.
+std::optional<LinedMesh> try_lines(const PlanarMesh& coarse, std::span<const std::array<Point2, 2>> lines,
+                                   double distance) {
   LineArrangement arrangement(coarse.points, constrained_edges(coarse), distance);
   LinedMesh result;
   for (const auto& [a, b] : lines) {
@@ -113,8 +127,25 @@ LinedMesh with_lines(PlanarMesh coarse, std::span<const std::array<Point2, 2>> l
     if (added == 0.0) ++result.merged;
   }
   result.mesh = triangulated(arrangement, distance);
+  if (!is_sound(result.mesh, arrangement.points().size(), distance)) return std::nullopt;
   result.region_of_patch = regions_of_patches(coarse, result.mesh);
-  if (!all_there(result.region_of_patch, coarse.component_count)) return without_lines(std::move(coarse));
+  if (!all_there(result.region_of_patch, coarse.component_count)) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+LinedMesh with_lines(PlanarMesh coarse, std::span<const std::array<Point2, 2>> lines, double distance) {
+  // Lines that bend at vertices may cross again, and give triangles that refinement cannot work with: then half of the lines go.
+  for (std::size_t count = lines.size(); count > 0; count /= 2) {
+    std::optional<LinedMesh> result = try_lines(coarse, lines.first(count), distance);
+    if (!result) continue;
+    result->left_out = lines.size() - count;
+    return std::move(*result);
+  }
+  const std::size_t left_out = lines.size();
+  LinedMesh result = without_lines(std::move(coarse));
+  result.left_out = left_out;
   return result;
 }
 

@@ -18,6 +18,7 @@ struct LinedMesh {
   PlanarMesh mesh;
   std::vector<std::uint32_t> region_of_patch;  ///< [patches] the component without the lines
   std::size_t merged = 0;                      ///< lines of which nothing is new
+  std::size_t left_out = 0;                    ///< lines, the lightest, with which the mesh would be degenerate
   double length_m = 0.0;                       ///< of what is new
 };
 

@@ -105,10 +105,11 @@ struct MeshReport {
   std::size_t small_angles = 0;        ///< triangles below the angle bound
   std::size_t small_input_angles = 0;  ///< of them, those at an input angle below 40 degrees
   double min_angle_deg = 180.0;
-  std::size_t lines = 0;                ///< given
-  std::size_t lines_merged = 0;         ///< of them, those that run along other lines, boundaries or contacts wholly
-  double line_length_m = 0.0;           ///< in the mesh
-  std::size_t faces_without_lines = 0;  ///< whose lines are too fine for the angle bound: their mesh has none
+  std::size_t lines = 0;         ///< given
+  std::size_t lines_merged = 0;  ///< of them, those that run along other lines, boundaries or contacts wholly
+  double line_length_m = 0.0;    ///< in the mesh
+  /// Faces whose lines are too fine: the lightest are left out, or all where the angle bound cannot be kept with them.
+  std::size_t faces_with_fewer_lines = 0;
 };
 
 /// Constrained Delaunay refinement of every face with its contacts and lines [Ruppert 1995; Shewchuk 2002], regions as in `shape`.

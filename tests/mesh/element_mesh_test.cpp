@@ -133,7 +133,7 @@ TEST(ElementMesh, TrianglesDoNotCrossLines) {
   const Triangulation mesh = mesh_faces(faces, options, &report);
   expect_same_areas(faces, mesh);
   EXPECT_EQ(report.lines, lines.size());
-  EXPECT_EQ(report.faces_without_lines, 0U);
+  EXPECT_EQ(report.faces_with_fewer_lines, 0U);
   EXPECT_LT(10 * report.small_angles, report.triangles);
   EXPECT_LT(10 * (report.small_angles - report.small_input_angles), report.small_angles);
   for (const FaceLine& line : lines) {
