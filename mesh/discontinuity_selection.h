@@ -28,7 +28,7 @@ struct LineSelection {
 };
 
 struct SelectionOptions {
-  std::size_t most_per_face = 200;
+  std::size_t most_per_face = 60;
   double distance_m = 1e-3;  ///< lines closer to each other are one
 };
 

@@ -32,11 +32,44 @@ using ConstrainedFace = CGAL::Constrained_triangulation_face_base_2<Kernel, Face
 using Cells = CGAL::Delaunay_mesh_face_base_2<Kernel, ConstrainedFace>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertices, Cells>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
-using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
+using SizeCriteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 
 /// Edges shorter than this cannot be halved often enough before coordinates run out of digits [m].
 constexpr double kShortestEdge = 1e-8;
+
+/// Angle and size, and how short the edges have become: the mesher judges every triangle that it makes.
+class Criteria : public SizeCriteria {
+ public:
+  Criteria(double squared_sine, double max_edge, double* shortest)
+      : SizeCriteria(squared_sine, max_edge), shortest_(shortest) {}
+
+  class Is_bad : public SizeCriteria::Is_bad {  // NOLINT(readability-identifier-naming): CGAL's word
+   public:
+    Is_bad(const SizeCriteria::Is_bad& base, double* shortest) : SizeCriteria::Is_bad(base), shortest_(shortest) {}
+
+    CGAL::Mesh_2::Face_badness operator()(const Quality quality) const {
+      return SizeCriteria::Is_bad::operator()(quality);
+    }
+    CGAL::Mesh_2::Face_badness operator()(const Cdt::Face_handle& face, Quality& quality) const {
+      for (int k = 0; k < 3; ++k) {
+        const Kernel::Point_2& a = face->vertex(Cdt::ccw(k))->point();
+        const Kernel::Point_2& b = face->vertex(Cdt::cw(k))->point();
+        *shortest_ = std::min(*shortest_, std::hypot(b.x() - a.x(), b.y() - a.y()));
+      }
+      return SizeCriteria::Is_bad::operator()(face, quality);
+    }
+
+   private:
+    double* shortest_;
+  };
+
+  [[nodiscard]] Is_bad is_bad_object() const { return {SizeCriteria::is_bad_object(), shortest_}; }
+
+ private:
+  double* shortest_;
+};
+
+using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
 
 bool has_edge_too_short(const PlanarMesh& mesh) {
   const auto too_short = [&](const PlanarTriangle& t) {
@@ -133,12 +166,13 @@ std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& op
   const std::vector<Kernel::Point_2> seeds = seeds_of(mesh);
   // CGAL bounds the squared sine of the smallest angle.
   const double sine = std::sin(options.min_angle_deg * std::acos(-1.0) / 180.0);
-  Mesher mesher(cdt, Criteria(sine * sine, options.max_edge));
+  double shortest = std::numeric_limits<double>::infinity();
+  Mesher mesher(cdt, Criteria(sine * sine, options.max_edge, &shortest));
   mesher.set_seeds(seeds.begin(), seeds.end(), true);
   mesher.init();
   while (!mesher.is_refinement_done()) {
     mesher.step_by_step_refine_mesh();
-    if (cdt.number_of_vertices() > options.max_vertices) return std::nullopt;
+    if (cdt.number_of_vertices() > options.max_vertices || shortest < kShortestEdge) return std::nullopt;
   }
   return extract(cdt, mesh, seeds);
 }
