@@ -15,12 +15,14 @@ std::vector<mesh::Room> hall_and_store() {
               .volume_m3 = 144.0,
               .box = {},
               .stated = true,
+              .not_apart = {},
               .openings = {{Kind::kGlazing, mesh::kNoRoom, 2.5, {1, 0, 1.5}}, {Kind::kHole, 1, 1.89, {6, 2, 1}}}};
   rooms[1] = {.name = "room 2",
               .floor_area_m2 = 12.0,
               .volume_m3 = 36.0,
               .box = {},
               .stated = false,
+              .not_apart = {},
               .openings = {{Kind::kHole, 0, 1.89, {6, 2, 1}},
                            {Kind::kAir, mesh::kNoRoom, 4.0, {8, 2, 1}},
                            {Kind::kHole, mesh::kNoRoom, 0.2, {7, 0, 2}}}};

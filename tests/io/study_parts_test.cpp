@@ -23,7 +23,7 @@ class CageFolder {
   }
   [[nodiscard]] io::StudyInput read(const std::string& parts) const {
     test::write_text(scratch_.path() / "s.toml", "[model]\nfile = 'cage.obj'\nunits = 'm'\n" + parts);
-    return io::read_study(scratch_.path() / "s.toml", {.model_only = true});
+    return io::read_study(scratch_.path() / "s.toml", {.set = {}, .model_only = true});
   }
   [[nodiscard]] std::string refusal(const std::string& parts) const {
     try {
