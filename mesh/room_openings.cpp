@@ -142,7 +142,12 @@ class Holes {
       const auto count = static_cast<double>(shaft.cells);
       const Point at = Point{} + shaft.sum / count;
       if (pair.first >= outside_ || count * cell_area < kLeastHole) continue;
-      add_direct({.a = pair.first, .b = pair.second, .width_m = 0.0, .border_m = 0.0, .area_m2 = count * cell_area, .box = {at, at}});
+      add_direct({.a = pair.first,
+                  .b = pair.second,
+                  .width_m = 0.0,
+                  .border_m = 0.0,
+                  .area_m2 = count * cell_area,
+                  .box = {at, at}});
     }
   }
 

@@ -48,7 +48,7 @@ struct Room {
   double volume_m3 = 0.0;      ///< furniture does not count
   Box box;                     ///< [m, local]
   bool stated = false;         ///< taken from a space of the file
-  std::string not_apart;       ///< of a stated room: why the geometry alone would not tell it as one; empty where it does
+  std::string not_apart;  ///< of a stated room: why the geometry alone would not tell it as one; empty where it does
   std::vector<RoomOpening> openings;
 
   /// Whether it has no hole to the outside.
