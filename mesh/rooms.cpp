@@ -286,7 +286,8 @@ std::uint32_t room_before(const Rooms& rooms, const Rays& rays, const Point& on_
   for (double way = std::min(step, 0.5 * end); way < end; way += step) {
     if (const RoomColumn* c = rooms.map.at(start + way * normal)) return c->room;
   }
-  return kNoRoom;
+  // All of that way may run in cells that a wall touches.
+  return room_at(rooms, rays, start + std::min(step, 0.5 * end) * normal);
 }
 
 }  // namespace clerestory::mesh
