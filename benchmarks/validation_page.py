@@ -37,7 +37,7 @@ SCENES = """
 ## Reference scenes
 
 Against converged results of independent programs, as `benchmarks/validation.py` runs them: the whole command at one thread, user and system
-time, the median of {repeat} runs. The references' own noise is in the figures (office: 1.1 % a sensor).
+time, the median of {repeat} (runs a scene). The references' own noise is in the figures (office: 1.1 % a sensor).
 
 | scene | accuracy asked | CPU s | against the reference | must show |
 |---|---|---|---|---|
