@@ -7,17 +7,24 @@ CMAKE_FLAGS ?=
 BUILD := build/$(PRESET)
 
 .NOTPARALLEL:
-.PHONY: demo test build configure setup format tidy clean
+.PHONY: demo test build tests configure setup format tidy clean
 
 demo: setup build
 	$(BUILD)/clerestory daylight samples/office/office.toml -o build/demo
 	@test -s build/demo/workplane.png
 	@echo "The map of the daylight factor is $(CURDIR)/build/demo/workplane.png"
 
-test: setup build
+test: setup tests
 	ctest --preset $(PRESET)
 
-build: $(if $(CMAKE_FLAGS),configure,$(BUILD)/build.ninja)
+build tests: $(if $(CMAKE_FLAGS),configure,$(BUILD)/build.ninja)
+
+# The program alone.
+build:
+	cmake --build --preset $(PRESET) --parallel $(shell nproc) --target clerestory
+
+# The program and all that tests it.
+tests:
 	cmake --build --preset $(PRESET) --parallel $(shell nproc)
 
 configure: setup
