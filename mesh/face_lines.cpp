@@ -70,21 +70,11 @@ std::uint32_t component_at(const PlanarMesh& mesh, const Point2& p) {
   return component;
 }
 
-/// For each patch the component of the coarse mesh in which the middle of its largest triangle lies.
+/// For each patch the component of the coarse mesh in which its middle lies.
 std::vector<std::uint32_t> regions_of_patches(const PlanarMesh& coarse, const PlanarMesh& mesh) {
-  std::vector<double> largest(mesh.component_count, 0.0);
-  std::vector<Point2> middles(mesh.component_count);
-  for (const PlanarTriangle& t : mesh.triangles) {
-    const Point2& a = mesh.points[t.vertices[0]];
-    const Point2& b = mesh.points[t.vertices[1]];
-    const Point2& c = mesh.points[t.vertices[2]];
-    const double area = doubled_area(a, b, c);
-    if (area <= largest[t.component]) continue;
-    largest[t.component] = area;
-    middles[t.component] = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
-  }
   std::vector<std::uint32_t> regions;
-  for (const Point2& p : middles) regions.push_back(coarse.component_count > 1 ? component_at(coarse, p) : 0);
+  for (const Point2& p : component_middles(mesh))
+    regions.push_back(coarse.component_count > 1 ? component_at(coarse, p) : 0);
   return regions;
 }
 

@@ -102,22 +102,6 @@ Cdt build(const PlanarMesh& mesh) {
   return cdt;
 }
 
-/// A point inside each component: the centre of its largest triangle.
-std::vector<Kernel::Point_2> seeds_of(const PlanarMesh& mesh) {
-  std::vector<double> largest(mesh.component_count, 0.0);
-  std::vector<Kernel::Point_2> seeds(mesh.component_count);
-  for (const PlanarTriangle& t : mesh.triangles) {
-    const Point2& a = mesh.points[t.vertices[0]];
-    const Point2& b = mesh.points[t.vertices[1]];
-    const Point2& c = mesh.points[t.vertices[2]];
-    const double area = doubled_area(a, b, c);
-    if (area <= largest[t.component]) continue;
-    largest[t.component] = area;
-    seeds[t.component] = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
-  }
-  return seeds;
-}
-
 void number_component(Cdt& cdt, const Kernel::Point_2& seed, std::uint32_t component) {
   std::vector<Cdt::Face_handle> front{cdt.locate(seed)};
   front.back()->info().value = component;
@@ -163,7 +147,8 @@ PlanarMesh extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel:
 std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& options) {
   if (has_edge_too_short(mesh)) return std::nullopt;
   Cdt cdt = build(mesh);
-  const std::vector<Kernel::Point_2> seeds = seeds_of(mesh);
+  std::vector<Kernel::Point_2> seeds;
+  for (const Point2& p : component_middles(mesh)) seeds.emplace_back(p.x, p.y);
   // CGAL bounds the squared sine of the smallest angle.
   const double sine = std::sin(options.min_angle_deg * std::acos(-1.0) / 180.0);
   double shortest = std::numeric_limits<double>::infinity();

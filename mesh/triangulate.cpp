@@ -92,4 +92,19 @@ PlanarMesh triangulate(const PlanarGraph& graph) {
   return mesh;
 }
 
+std::vector<Point2> component_middles(const PlanarMesh& mesh) {
+  std::vector<double> largest(mesh.component_count, 0.0);
+  std::vector<Point2> middles(mesh.component_count);
+  for (const PlanarTriangle& t : mesh.triangles) {
+    const Point2& a = mesh.points[t.vertices[0]];
+    const Point2& b = mesh.points[t.vertices[1]];
+    const Point2& c = mesh.points[t.vertices[2]];
+    const double area = doubled_area(a, b, c);
+    if (area <= largest[t.component]) continue;
+    largest[t.component] = area;
+    middles[t.component] = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
+  }
+  return middles;
+}
+
 }  // namespace clerestory::mesh

@@ -30,6 +30,9 @@ struct PlanarMesh {
   std::uint32_t component_count = 0;
 };
 
+/// A point inside each component: the centre of its largest triangle.
+std::vector<Point2> component_middles(const PlanarMesh& mesh);
+
 /// The constrained Delaunay triangulation of the convex hull. Exact predicates; points at the same place become the first of them.
 /// Segments that cross get a common point, whose place is rounded.
 PlanarMesh triangulate(const PlanarGraph& graph);
