@@ -100,12 +100,14 @@ void Mask::add_polygon(std::span<const Pixel> loop) {
   if (loop.size() < 3) return;
   const auto [low, high] = std::ranges::minmax_element(loop, {}, &Pixel::y);
   const PixelRange rows(low->y, high->y, height_);
+  const auto [left, right] = std::ranges::minmax_element(loop, {}, &Pixel::x);
+  const PixelRange columns(left->x, right->x, width_);
   std::vector<float> row(static_cast<std::size_t>(width_));
   std::vector<double> crossings;
   for (int y = rows.first; y <= rows.last; ++y) {
     std::ranges::fill(row, 0.0F);
     for (int s = 0; s < kScanlinesPerPixel; ++s) add_scanline(loop, y + (s + 0.5) / kScanlinesPerPixel, row, crossings);
-    for (int x = 0; x < width_; ++x) {
+    for (int x = columns.first; x <= columns.last; ++x) {
       const float coverage = row[static_cast<std::size_t>(x)];
       add(x, y, std::min(coverage, 1.0F));
     }

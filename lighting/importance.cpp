@@ -20,7 +20,7 @@ using mesh::Vector;
 namespace {
 
 constexpr std::size_t kWalkers = 1024;  ///< sensors that send out walks, spread evenly over all of them
-constexpr std::size_t kWalks = 65536;   ///< in all
+constexpr std::size_t kWalks = 32768;   ///< in all
 constexpr int kBounces = 5;             ///< later ones carry under 0.5^5 of the light
 constexpr std::size_t kTellApart = 16;  ///< deposits that make a triangle worth dividing
 constexpr double kSmallest = 0.25;      ///< … if its radius is larger than this [m]

@@ -55,16 +55,15 @@ void Solution::open(ElementId e) {
 }
 
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
-  return element_at(tree_.find(side, region, point), point);
+  return element_at(tree_.find_start(side, region, point), point);
 }
 
 ElementId Solution::element_at(ElementId node, const mesh::Point& point) const {
   if (!node.valid()) return node;
-  ElementId e = node;
-  while (tree_.is_triangle(e) && tree_.has_children(e)) e = tree_.child_at(e, point);
+  ElementId element = node;
+  if (tree_.is_triangle(node)) element = tree_.descend(node, point, [&](ElementId e) { return is_open(e); });
   // The tree may be deeper than the solution: up to the highest node that is not open.
-  ElementId element = e;
-  for (ElementId up = e; up.valid(); up = tree_.parent(up)) {
+  for (ElementId up = tree_.parent(element); up.valid(); up = tree_.parent(up)) {
     if (!is_open(up)) element = up;
   }
   return element;

@@ -317,25 +317,51 @@ bool ElementTree::holds(const Node& node, const Point& point, double slack) cons
   return u >= box[0] - edge && u <= box[2] + edge && v >= box[1] - edge && v <= box[3] + edge;
 }
 
-ElementId ElementTree::child_at(ElementId e, const Point& point) const {
-  assert(is_triangle(e));
-  const std::uint32_t first = node(e).first_child;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    if (holds(nodes_[first + k], point, kEdgeSlack)) return ElementId(first + k);
-  }
-  return ElementId(first + 3);
+ElementTree::Barycentric ElementTree::barycentric(ElementId triangle, const Point& point) const {
+  const auto& c = corners_[node(triangle).shape];
+  const Vector& normal = axes(triangle).w;
+  const double scale = 0.5 / node(triangle).area;
+  const double first = scale * dot(cross(c[2] - c[1], point - c[1]), normal);
+  const double second = scale * dot(cross(c[0] - c[2], point - c[2]), normal);
+  return {first, second, 1.0 - first - second};
 }
 
-ElementId ElementTree::find(FaceSide side, const Point& point) const { return find_below(roots_of(side), point); }
+std::uint32_t ElementTree::step_down(Barycentric& at) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (at[k] < 0.5) continue;
+    for (double& b : at) b *= 2.0;
+    at[k] -= 1.0;
+    return k;
+  }
+  // The corners of the middle child are the midpoints of the first, second and third edge.
+  at = {1.0 - 2.0 * at[2], 1.0 - 2.0 * at[0], 1.0 - 2.0 * at[1]};
+  return 3;
+}
+
+ElementId ElementTree::child_at(ElementId e, const Point& point) const {
+  assert(is_triangle(e) && has_children(e));
+  Barycentric at = barycentric(e, point);
+  return ElementId(node(e).first_child + step_down(at));
+}
+
+ElementId ElementTree::find(FaceSide side, const Point& point) const {
+  const ElementId start = start_below(roots_of(side), point);
+  return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;
+}
 
 ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point) const {
+  const ElementId start = find_start(side, region, point);
+  return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;
+}
+
+ElementId ElementTree::find_start(FaceSide side, std::uint32_t region, const Point& point) const {
   const auto roots = roots_of(side);
   if (roots.empty()) return {};
   assert(region < roots.size());
-  return find_below(roots.subspan(region, 1), point);
+  return start_below(roots.subspan(region, 1), point);
 }
 
-ElementId ElementTree::find_below(std::span<const ElementId> roots, const Point& point) const {
+ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point& point) const {
   if (roots.empty()) return {};
   // Slack grows until something holds the point: hits are rounded, and may lie just outside the face.
   for (double slack = kEdgeSlack; slack < 1.0; slack *= 30.0) {
@@ -347,17 +373,13 @@ ElementId ElementTree::find_below(std::span<const ElementId> roots, const Point&
         const std::uint32_t id = stack[--depth];
         const Node& n = nodes_[id];
         if (!holds(n, point, slack)) continue;
-        if (n.triangle) {
-          ElementId deepest(id);
-          while (has_children(deepest)) deepest = child_at(deepest, point);
-          return deepest;
-        }
+        if (n.triangle) return ElementId(id);
         stack[depth++] = n.first_child + 1;
         stack[depth++] = n.first_child;
       }
     }
   }
-  return roots.front();
+  return ElementId(start_node_[node(roots.front()).begin]);
 }
 
 }  // namespace clerestory::mesh

@@ -81,10 +81,21 @@ class ElementTree {
 
   /// The child of a triangle that holds a point of it, or is nearest.
   [[nodiscard]] ElementId child_at(ElementId e, const Point& point) const;
+  /// The node below a triangle, or itself, that holds a point of it, as deep as enter(ElementId) allows.
+  template <class Enter>
+  [[nodiscard]] ElementId descend(ElementId e, const Point& point, Enter enter) const {
+    if (!has_children(e) || !enter(e)) return e;
+    Barycentric at = barycentric(e, point);
+    do e = ElementId(node(e).first_child + step_down(at));
+    while (has_children(e) && enter(e));
+    return e;
+  }
   /// The deepest node of a face side that holds a point of its plane; invalid where the side carries no elements.
   [[nodiscard]] ElementId find(FaceSide side, const Point& point) const;
   /// The same where the region is known, as from a ray's triangle: a point that is rounded across a contact stays on its side of it.
   [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point) const;
+  /// The start triangle that find() descends from.
+  [[nodiscard]] ElementId find_start(FaceSide side, std::uint32_t region, const Point& point) const;
 
  private:
   struct Node {
@@ -109,6 +120,7 @@ class ElementTree {
     std::array<double, 4> rectangle{};  ///< low u, low v, high u, high v from the face's origin
   };
   using StartTriangle = std::array<std::uint32_t, 3>;
+  using Barycentric = std::array<double, 3>;
 
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
   void add_region(const Triangulation& mesh, std::vector<Triangle> triangles, FaceSide side);
@@ -118,8 +130,11 @@ class ElementTree {
   void add_second_moments(const Triangulation& mesh, Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
   void split_group(const Triangulation& mesh, std::uint32_t group);
-  [[nodiscard]] ElementId find_below(std::span<const ElementId> roots, const Point& point) const;
+  [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
   [[nodiscard]] bool holds(const Node& node, const Point& point, double slack) const;
+  [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
+  /// The number of the child that a place of a triangle belongs to; the place becomes that of the child.
+  static std::uint32_t step_down(Barycentric& at);
 
   std::vector<Node> nodes_;
   std::vector<ElementId> roots_;
