@@ -47,7 +47,8 @@ Solid outward(Solid solid);
 std::vector<Solid> connected_pieces(const Solid& solid);
 
 /// The regularised booleans of closed, outward bodies that do not cross themselves. Both are snapped first, so both should be in a frame
-/// in which their planes lie straight. Nothing where the bodies do not fulfil that.
+/// in which their planes lie straight. Nothing where the bodies do not fulfil that. The result is a function of the shapes alone:
+/// corners in lexicographic order, flat pieces by their Delaunay triangulation.
 /// Source: CGAL, Polygon Mesh Processing, corefinement with exact constructions.
 std::optional<Solid> difference(const Solid& body, const Solid& tool);
 std::optional<Solid> intersection(const Solid& body, const Solid& tool);
