@@ -57,7 +57,7 @@ std::string obj_text(const mesh::Model& model, const std::string& mtl) {
 
 std::vector<std::filesystem::path> write_obj(const std::filesystem::path& file, const WrittenModel& written) {
   const std::filesystem::path mtl = std::filesystem::path(file).replace_extension(".mtl");
-  const mesh::Model model = cut_into_triangles(written.model, mesh::CutPolygons::kWithHoles);
+  const mesh::Model model = cut_at_holes(written.model);
   write_whole_file(mtl, mtl_text(written));
   write_whole_file(file, obj_text(model, mtl.filename().string()));
   return {file, mtl};

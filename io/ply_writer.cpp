@@ -40,7 +40,7 @@ std::string header_of(const mesh::Model& model) {
 }  // namespace
 
 std::vector<std::filesystem::path> write_ply(const std::filesystem::path& file, const WrittenModel& written) {
-  const mesh::Model model = cut_into_triangles(written.model, mesh::CutPolygons::kWithHoles);
+  const mesh::Model model = cut_at_holes(written.model);
   std::string bytes = header_of(model);
   for (const mesh::Point& p : model.vertices)
     for (const double x : {p.x, p.y, p.z}) append(bytes, x);

@@ -7,7 +7,7 @@
 namespace clerestory::io {
 
 std::vector<std::filesystem::path> write_vtp(const std::filesystem::path& file, const WrittenModel& written) {
-  write_model_vtp(file, cut_into_triangles(written.model, mesh::CutPolygons::kWithHoles));
+  write_model_vtp(file, cut_at_holes(written.model));
   return {file};
 }
 

@@ -72,8 +72,8 @@ class ContactSearch {
       const Point a = drafts_.vertices[edges_[e][0]];
       const Point b = drafts_.vertices[edges_[e][1]];
       for (const auto& [begin, end] : stretches_inside(region(f), {a, b}, tolerance)) {
-        const std::uint32_t from = drafts_.vertices.add(begin);
-        add_line(face, from, drafts_.vertices.add(end));
+        const std::uint32_t from = drafts_.add_end(begin);
+        add_line(face, from, drafts_.add_end(end));
       }
     }
   }
@@ -104,8 +104,8 @@ class ContactSearch {
 
   void add_trace(std::uint32_t f, std::uint32_t g) {
     for (const auto& [a, b] : crossing_stretches(region(f), region(g), drafts_.tolerance)) {
-      const std::uint32_t from = drafts_.vertices.add(a);
-      const std::uint32_t to = drafts_.vertices.add(b);
+      const std::uint32_t from = drafts_.add_end(a);
+      const std::uint32_t to = drafts_.add_end(b);
       add_line(drafts_.faces[f], from, to);
       add_line(drafts_.faces[g], from, to);
     }

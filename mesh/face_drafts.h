@@ -32,9 +32,18 @@ struct FaceDraft {
 struct FaceDrafts {
   explicit FaceDrafts(double plane_tolerance) : tolerance(plane_tolerance), vertices(plane_tolerance) {}
 
+  /// The vertex for the end of a line, which lies on an edge of a face.
+  std::uint32_t add_end(const Point& end);
+
   double tolerance;  ///< [m]
   VertexIndex vertices;
   std::vector<FaceDraft> faces;
+  /// Ends of lines that were drawn to a vertex so far beside them that it lies on the edge no more for those who look at the vertex.
+  struct DrawnEnd {
+    Point end;
+    std::uint32_t vertex = 0;
+  };
+  std::vector<DrawnEnd> drawn_ends;
 };
 
 /// The inside of a face in its plane.
@@ -55,7 +64,8 @@ void imprint_contacts(FaceDrafts& drafts);
 /// Adds to each face the lines where others touch or cross it; the first half of imprint_contacts().
 void find_contacts(FaceDrafts& drafts);
 
-/// Splits boundaries and lines of all faces at vertices on them and where they cross in a face; the second half.
+/// Splits boundaries and lines of all faces at vertices on them, at ends of lines on them and where they cross in a face; the second
+/// half.
 void split_at_meetings(FaceDrafts& drafts);
 
 }  // namespace clerestory::mesh

@@ -179,8 +179,8 @@ class Cutting {
   }
 
   void add_line(std::uint32_t face, const Ends& line) {
-    const std::uint32_t from = drafts_.vertices.add(line[0]);
-    const std::uint32_t to = drafts_.vertices.add(line[1]);
+    const std::uint32_t from = drafts_.add_end(line[0]);
+    const std::uint32_t to = drafts_.add_end(line[1]);
     if (from != to) drafts_.faces[face].lines.push_back(edge_between(from, to));
   }
 

@@ -14,6 +14,11 @@ namespace {
 /// Rounds of splitting. Each may bend lines by the tolerance, so that new meetings appear; four or five do for real models.
 constexpr int kMaxRounds = 16;
 
+/// Ends of lines are drawn to vertices within the tolerance. Those within this share of it are found on the edge all the same.
+constexpr double kNearEndShare = 0.5;
+/// So near to an edge an end lies on it, as a share of the tolerance: far above rounding.
+constexpr double kAtEndShare = 0.1;
+
 using EdgeSet = std::unordered_set<Edge, EdgeHash>;
 
 /// Vertices on edges: on edges not seen before all of them, on the others those that have come since.
@@ -32,6 +37,38 @@ void find_vertices_on_edges(const FaceDrafts& drafts, EdgeSet& seen, std::size_t
   }
   seen = std::move(now);
   seen_vertices = points.size();
+}
+
+/// Edges that an end of a line lies on, and the vertex that it was drawn to.
+void find_drawn_ends_on_edges(const FaceDrafts& drafts, PendingSplits& pending) {
+  if (drafts.drawn_ends.empty()) return;
+  std::vector<Edge> edges;
+  std::vector<Box> boxes;
+  EdgeSet known;
+  for (const FaceDraft& face : drafts.faces) {
+    for_each_segment(face, [&](const Edge& edge) {
+      if (!known.insert(edge).second) return;
+      edges.push_back(edge);
+      Box& box = boxes.emplace_back();
+      for (const std::uint32_t vertex : edge) box.add(drafts.vertices[vertex]);
+    });
+  }
+  const BoxTree tree(boxes);
+  const double near = kAtEndShare * drafts.tolerance;
+  for (const auto& [end, vertex] : drafts.drawn_ends) {
+    Box around;
+    around.add(end);
+    around = grown(around, near);
+    tree.visit([&](const Box& box) { return overlap(around, box); },
+               [&](std::uint32_t e) {
+                 const auto& [a, b] = edges[e];
+                 if (vertex == a || vertex == b) return;
+                 const Vector d = drafts.vertices[b] - drafts.vertices[a];
+                 const Vector offset = end - drafts.vertices[a];
+                 const double t = dot(offset, d) / dot(d, d);
+                 if (t > 0.0 && t < 1.0 && norm(offset - t * d) <= near) pending[edges[e]].push_back(vertex);
+               });
+  }
 }
 
 /// Vertices of each edge in order along it, each once.
@@ -90,6 +127,12 @@ void simplify(FaceDraft& face) {
 
 }  // namespace
 
+std::uint32_t FaceDrafts::add_end(const Point& end) {
+  const std::uint32_t vertex = vertices.add(end);
+  if (norm(vertices[vertex] - end) > kNearEndShare * tolerance) drawn_ends.push_back({end, vertex});
+  return vertex;
+}
+
 void split_at_meetings(FaceDrafts& drafts) {
   EdgeSet seen;
   std::size_t seen_vertices = 0;
@@ -97,6 +140,7 @@ void split_at_meetings(FaceDrafts& drafts) {
   for (int round = 0; round < kMaxRounds; ++round) {
     PendingSplits pending;
     find_vertices_on_edges(drafts, seen, seen_vertices, pending);
+    if (round == 0) find_drawn_ends_on_edges(drafts, pending);
     // Planes are looked at where all vertices are in their edges already: then little is left to meet there.
     if (pending.empty()) {
       for (std::size_t f = 0; f < drafts.faces.size(); ++f) {
@@ -111,6 +155,7 @@ void split_at_meetings(FaceDrafts& drafts) {
     }
   }
   for (FaceDraft& face : drafts.faces) simplify(face);
+  drafts.drawn_ends.clear();
 }
 
 }  // namespace clerestory::mesh

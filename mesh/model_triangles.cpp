@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/model_triangles.h"
 
+#include <utility>
+
 #include "mesh/flat_graph.h"
+#include "mesh/simple_pieces.h"
 #include "mesh/soup.h"
 #include "mesh/triangulate.h"
 
@@ -9,13 +12,21 @@ namespace clerestory::mesh {
 
 namespace {
 
-bool is_cut(const SoupPolygon& polygon, CutPolygons which) {
-  if (polygon.loops.size() > 1) return true;
-  return which == CutPolygons::kWithMoreThanThreeCorners && polygon.loops[0].size() > 3;
+enum class Pieces { kTriangles, kWithoutHoles };
+
+bool is_cut(const SoupPolygon& polygon, Pieces pieces) {
+  return polygon.loops.size() > 1 || (pieces == Pieces::kTriangles && polygon.loops[0].size() > 3);
 }
 
-/// Appends a polygon's triangles, and the points that they need.
-void cut(const SoupPolygon& polygon, Model& result) {
+std::vector<std::vector<std::uint32_t>> loops_of(const PlanarMesh& mesh, Pieces pieces) {
+  if (pieces == Pieces::kWithoutHoles) return simple_pieces(mesh);
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (const PlanarTriangle& t : mesh.triangles) loops.emplace_back(t.vertices.begin(), t.vertices.end());
+  return loops;
+}
+
+/// Appends a polygon's pieces, and the points that they need.
+void cut(const SoupPolygon& polygon, Pieces pieces, Model& result) {
   const auto plane = plane_of(result.vertices, polygon, 0.0);
   if (!plane) return;
   const PlaneCoordinates coordinates{plane->origin, frame_around(plane->normal)};
@@ -27,23 +38,21 @@ void cut(const SoupPolygon& polygon, Model& result) {
     vertices.push_back(static_cast<std::uint32_t>(result.vertices.size()));
     result.vertices.push_back(coordinates.lift(mesh.points[added]));
   }
-  for (const PlanarTriangle& triangle : mesh.triangles) {
+  for (std::vector<std::uint32_t>& loop : loops_of(mesh, pieces)) {
+    for (std::uint32_t& corner : loop) corner = vertices[corner];
     result.begin_polygon(polygon.material, polygon.part, polygon.line);
-    result.add_loop(
-        std::array{vertices[triangle.vertices[0]], vertices[triangle.vertices[1]], vertices[triangle.vertices[2]]});
+    result.add_loop(loop);
   }
 }
 
-}  // namespace
-
-Model cut_into_triangles(const Model& model, CutPolygons which) {
+Model cut_model(const Model& model, Pieces pieces) {
   Model result;
   result.vertices = model.vertices;
   result.material_names = model.material_names;
   result.part_names = model.part_names;
   for (const SoupPolygon& polygon : to_soup(model).polygons) {
-    if (is_cut(polygon, which)) {
-      cut(polygon, result);
+    if (is_cut(polygon, pieces)) {
+      cut(polygon, pieces, result);
       continue;
     }
     result.begin_polygon(polygon.material, polygon.part, polygon.line);
@@ -51,5 +60,11 @@ Model cut_into_triangles(const Model& model, CutPolygons which) {
   }
   return result;
 }
+
+}  // namespace
+
+Model cut_into_triangles(const Model& model) { return cut_model(model, Pieces::kTriangles); }
+
+Model cut_at_holes(const Model& model) { return cut_model(model, Pieces::kWithoutHoles); }
 
 }  // namespace clerestory::mesh

@@ -51,18 +51,25 @@ Vector doubled_area_of(const Model& model, PartId part) {
   return sum;
 }
 
-TEST(ModelTriangles, OnlyPolygonsWithHolesAreCutWhereTheOthersMayStay) {
-  const Model cut = cut_into_triangles(wall_and_pentagon(), CutPolygons::kWithHoles);
-  ASSERT_EQ(cut.polygon_count(), 9U);  // 8 vertices in 2 loops make 8 triangles
-  EXPECT_EQ(cut.loop(8).size(), 5U);
+TEST(ModelTriangles, OnlyPolygonsWithHolesAreCutAtThem) {
+  const Model cut = cut_at_holes(wall_and_pentagon());
+  ASSERT_EQ(cut.polygon_count(), 3U);  // round a hole there are two pieces at least
+  std::size_t corners = 0;
+  for (const std::size_t polygon : {0U, 1U}) {
+    EXPECT_EQ(cut.loop_count(polygon), 1U);
+    corners += cut.loop(polygon).size();
+  }
+  EXPECT_EQ(corners, 8U + 4U);  // the two cuts end at four corners
+  EXPECT_EQ(cut.loop(2).size(), 5U);
   EXPECT_EQ(cut.vertices.size(), 13U);
   EXPECT_EQ(cut.polygon_line[0], 11U);
-  EXPECT_EQ(cut.polygon_material[8], MaterialId(1U));
+  EXPECT_EQ(cut.polygon_material[2], MaterialId(1U));
   EXPECT_EQ(cut.part_names, wall_and_pentagon().part_names);
+  EXPECT_NEAR(doubled_area_of(cut, PartId(0U)).y, -2.0 * 15.0, 1e-9);
 }
 
 TEST(ModelTriangles, AreaAndWindingStay) {
-  const Model cut = cut_into_triangles(wall_and_pentagon(), CutPolygons::kWithMoreThanThreeCorners);
+  const Model cut = cut_into_triangles(wall_and_pentagon());
   for (std::size_t polygon = 0; polygon < cut.polygon_count(); ++polygon) {
     EXPECT_EQ(cut.loop_count(polygon), 1U);
     EXPECT_EQ(cut.loop(polygon).size(), 3U);
@@ -79,7 +86,7 @@ TEST(ModelTriangles, APolygonWithoutAreaVanishes) {
   model.part_names = {"a"};
   model.begin_polygon(MaterialId(0U), PartId(0U));
   model.add_loop(Corners{0, 1, 2, 3});
-  EXPECT_EQ(cut_into_triangles(model, CutPolygons::kWithMoreThanThreeCorners).polygon_count(), 0U);
+  EXPECT_EQ(cut_into_triangles(model).polygon_count(), 0U);
 }
 
 }  // namespace
