@@ -12,6 +12,9 @@ namespace clerestory::mesh {
 
 namespace {
 
+/// What is narrower lies between points that are on one line but for rounding [m].
+constexpr double kNoWidth = 1e-9;
+
 enum class Pieces { kTriangles, kWithoutHoles };
 
 bool is_cut(const SoupPolygon& polygon, Pieces pieces) {
@@ -32,7 +35,7 @@ void cut(const SoupPolygon& polygon, Pieces pieces, Model& result) {
   const PlaneCoordinates coordinates{plane->origin, frame_around(plane->normal)};
   FlatGraph flat(result.vertices, coordinates);
   for_each_edge(polygon, [&](std::uint32_t a, std::uint32_t b) { flat.add(a, b); });
-  const PlanarMesh mesh = triangulate_inside(flat.graph(), flat.graph().segments, 0.0);
+  const PlanarMesh mesh = triangulate_inside(flat.graph(), flat.graph().segments, kNoWidth);
   std::vector<std::uint32_t> vertices = flat.vertices();
   for (std::size_t added = vertices.size(); added < mesh.points.size(); ++added) {
     vertices.push_back(static_cast<std::uint32_t>(result.vertices.size()));

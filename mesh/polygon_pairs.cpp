@@ -60,7 +60,9 @@ class PairSearch {
       look_at_itself(f);
       const PlaneCoordinates plane{planes_[f]->origin, {{}, {}, planes_[f]->normal}};
       near_.clear();
-      tree_.visit([&](const Box& box) { return overlap(boxes_[f], box) && near_plane(box, plane, slack_); },
+      // Of polygons that lie in one plane but for rounding, boxes may miss each other by that.
+      const Box around = grown(boxes_[f], slack_);
+      tree_.visit([&](const Box& box) { return overlap(around, box) && near_plane(box, plane, slack_); },
                   [&](std::uint32_t g) {
                     if (g > f || soup_.polygons[g].checked) near_.push_back(g);
                   });
