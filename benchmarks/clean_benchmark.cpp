@@ -3,10 +3,12 @@
 //   benchmarks/city_block.py 100000 -o block.obj && build/release/benchmarks/clean_benchmark block.obj
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/model_file.h"
 #include "io/stopwatch.h"
@@ -14,7 +16,7 @@
 
 namespace {
 
-/// Prints what each phase took when the next begins.
+/// Prints what each phase took when the next begins, and which share of that had passed when so many tenths of it were told as done.
 class PhaseTimes final : public clerestory::Progress {
  public:
   explicit PhaseTimes(std::string_view first) { phase(first); }
@@ -24,16 +26,34 @@ class PhaseTimes final : public clerestory::Progress {
 
   void phase(std::string_view name) override {
     const double now = clerestory::io::process_cpu_seconds();
-    if (!name_.empty()) fmt::print("  {:<16} {:8.2f} s\n", name_, now - start_);
-    std::fflush(stdout);
+    if (!name_.empty()) print(now - start_);
     name_ = name;
     start_ = now;
+    told_.clear();
   }
-  void advance(double) override {}
+  void advance(double fraction) override {
+    told_.push_back({fraction, clerestory::io::process_cpu_seconds() - start_});
+  }
 
  private:
+  struct Told {
+    double fraction = 0.0;
+    double seconds = 0.0;
+  };
+
+  void print(double seconds) const {
+    std::string shares;
+    for (int tenths = 1; tenths < 10 && !told_.empty(); ++tenths) {
+      const auto reached = std::ranges::find_if(told_, [&](const Told& t) { return t.fraction >= 0.1 * tenths; });
+      shares += reached == told_.end() ? "    -" : fmt::format(" {:4.0f}", 100.0 * reached->seconds / seconds);
+    }
+    fmt::print("  {:<16} {:8.2f} s{}{}\n", name_, seconds, shares.empty() ? "" : "  % at each tenth:", shares);
+    std::fflush(stdout);
+  }
+
   std::string name_;
   double start_ = 0.0;
+  std::vector<Told> told_;
 };
 
 void measure(const char* file) {

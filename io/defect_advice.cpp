@@ -55,6 +55,16 @@ std::vector<mesh::Defect::Place> worst_places(const mesh::Defect& defect, std::s
   return worst;
 }
 
+std::vector<std::pair<std::string, std::size_t>> reasons_of_left(const mesh::Defect& defect) {
+  std::vector<std::pair<std::string, std::size_t>> reasons;
+  for (const mesh::Defect::Place& place : defect.places) {
+    if (place.mended) continue;
+    const auto known = std::ranges::find_if(reasons, [&](const auto& reason) { return reason.first == place.note; });
+    known == reasons.end() ? reasons.emplace_back(place.note, 1) : * known = {place.note, known->second + 1};
+  }
+  return reasons;
+}
+
 bool has_unmended(const mesh::CleanReport& report) {
   return std::any_of(report.defects.begin(), report.defects.end(),
                      [](const mesh::Defect& defect) { return defect.mended < defect.found; });

@@ -106,6 +106,7 @@ std::string report_json_text(const ModelReport& report) {
     json["openings"] = {{"count", report.spaces->openings}, {"area_m2", rounded(report.spaces->openings_area_m2)}};
   }
   json["defects"] = told_defects(report);
+  json.update(meetings_json(report.clean));
   json["area_before_m2"] = rounded(report.clean.area_before_m2);
   json["area_after_m2"] = rounded(report.clean.area_after_m2);
   json["gap_m"] = report.clean.gap_m;

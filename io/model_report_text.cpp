@@ -134,6 +134,7 @@ std::string defects_text(const ModelReport& report) {
   std::string text = "defects\n";
   for (const mesh::Defect& defect : report.clean.defects) {
     text += fmt::format("{}: {} found, {} mended\n", defect.kind, defect.found, defect.mended);
+    for (const auto& [reason, count] : reasons_of_left(defect)) text += fmt::format("  {} left: {}\n", count, reason);
     for (const auto& place : worst_places(defect)) text += place_text(report.input.study.model, place);
     text += fmt::format("  to do: {}\n", defect_advice(defect, repair));
   }

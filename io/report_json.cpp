@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/defect_advice.h"
+
 namespace clerestory::io {
 
 namespace {
@@ -51,9 +53,18 @@ Json rooms_json(const std::vector<mesh::Room>& rooms) {
 
 Json defects_json(const mesh::CleanReport& report) {
   Json object = Json::object();
-  for (const mesh::Defect& defect : report.defects)
-    object[defect.kind] = {{"found", defect.found}, {"mended", defect.mended}};
+  for (const mesh::Defect& defect : report.defects) {
+    Json& json = object[defect.kind] = {{"found", defect.found}, {"mended", defect.mended}};
+    for (const auto& [reason, count] : reasons_of_left(defect))
+      json["left"].push_back({{"reason", reason}, {"count", count}});
+  }
   return object;
+}
+
+Json meetings_json(const mesh::CleanReport& report) {
+  return {{"contacts", report.contacts},
+          {"uncut_crossings", report.uncut_crossings},
+          {"two_sided_polygons", report.two_sided}};
 }
 
 double rounded(double value) {

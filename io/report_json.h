@@ -24,8 +24,11 @@ Json materials_json(const std::vector<lighting::Results::MaterialUse>& uses);
 /// @param rooms  in model coordinates
 Json rooms_json(const std::vector<mesh::Room>& rooms);
 
-/// kind → found, mended.
+/// kind → found, mended, and where some were left why: a list of reason and count.
 Json defects_json(const mesh::CleanReport& report);
+
+/// What of a model is no defect, though its surfaces share a place: contacts, uncut_crossings, two_sided_polygons.
+Json meetings_json(const mesh::CleanReport& report);
 
 /// To a tenth of a millimetre, or of a square decimetre: more is noise.
 double rounded(double value);

@@ -129,6 +129,7 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["materials"] = materials_json(results.materials);
   json["rooms"] = rooms_json(results.rooms);
   json["defects"] = defects_json(results.clean);
+  json.update(meetings_json(results.clean));
   json["assumptions"] = without_repeats(results.assumptions);
   json["notices"] = without_repeats(results.notices);
   json["study"] = study(context);

@@ -26,10 +26,9 @@ std::vector<std::uint32_t> floor_of(const GridSite& site, std::uint32_t room) {
   return found;
 }
 
-/// Whether the sensors' plane goes on over a region that is no floor itself: covered by furniture lower than the sensors.
+/// Whether the sensors' plane goes on over a region of the floor that light does not reach: covered by furniture lower than the sensors.
 bool goes_on(const GridSite& site, std::uint32_t region, std::uint32_t room, double height_m) {
-  const std::uint32_t owner = site.floor_room(region);
-  if ((owner != mesh::kNoRoom && owner != room) || !near_horizontal(site, region)) return false;
+  if (site.floor_room(region) != room || !near_horizontal(site, region)) return false;
   if (site.regions.area_m2[region] <= 0.0) return false;
   const mesh::RegionPoints points(site.faces, site.regions, region);
   std::uint32_t good = 0;

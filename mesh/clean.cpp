@@ -69,17 +69,28 @@ bool reduce_all_panes(Soup& soup, const CleanOptions& options, const Model& mode
   return changed;
 }
 
-void tell(const SolidMeetings& meetings, std::vector<std::string>& notices) {
+void tell(const SolidMeetings& meetings, CleanReport& report) {
+  report.contacts = meetings.contacts;
+  report.uncut_crossings = meetings.crossings;
   if (meetings.contacts > 0)
-    notices.push_back(
+    report.notices.push_back(
         fmt::format("{} pairs of polygons of closed solids lie face to face; these contacts are no defects, and are "
                     "imprinted on the faces",
                     meetings.contacts));
   if (meetings.crossings > 0)
-    notices.push_back(
+    report.notices.push_back(
         fmt::format("{} pairs of polygons of closed solids poke through each other and were not cut, to keep the "
                     "solids closed; the lines where they do are imprinted on the faces",
                     meetings.crossings));
+}
+
+void tell_two_sided(const Soup& soup, CleanReport& report) {
+  report.two_sided = static_cast<std::size_t>(
+      std::ranges::count_if(soup.polygons, [](const SoupPolygon& polygon) { return polygon.back_material.valid(); }));
+  if (report.two_sided > 0)
+    report.notices.push_back(fmt::format(
+        "{} polygons have another material on the back, that of a polygon which lay there the other way round",
+        report.two_sided));
 }
 
 /// The steps of the clean-up on one soup, told to who watches.
@@ -102,8 +113,9 @@ class Repair {
     progress_.phase("gaps");
     close_all_gaps(report);
     progress_.phase("intersections");
-    tell(resolve_all_intersections(), report.notices);
+    tell(resolve_all_intersections(), report);
     drop_duplicates(soup_, {model_.material_names, options_.passable_materials}, defects_);
+    tell_two_sided(soup_, report);
     progress_.phase("shells");
     remove_specks(soup_, defects_);
     progress_.advance(0.3);
@@ -217,6 +229,15 @@ void prepare(Soup& soup, const CleanOptions& options, const Model& model, std::v
   reduce_all_panes(soup, options, model, notices);
 }
 
+/// Of a trial, what would have been mended is left.
+void leave(Defect& defect) {
+  defect.mended = 0;
+  for (Defect::Place& place : defect.places) {
+    if (place.mended) place.note = "the clean-up was asked to report, not to mend";
+    place.mended = false;
+  }
+}
+
 void throw_if_empty(const Soup& soup) {
   if (!soup.polygons.empty()) return;
   throw InputError({}, 0, "the model has no polygon with an area",
@@ -258,10 +279,7 @@ CleanSurface clean(const Model& model, const CleanOptions& options, Progress* pr
 
   report.defects = std::move(defects).take(surface.origin);
   if (options.repair == Mode::kReport) {
-    for (Defect& defect : report.defects) {
-      defect.mended = 0;
-      for (Defect::Place& place : defect.places) place.mended = false;
-    }
+    for (Defect& defect : report.defects) leave(defect);
   }
   report.area_after_m2 = total_area(soup);
   surface.polygons = to_model(soup, model);

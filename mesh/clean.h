@@ -56,7 +56,12 @@ struct CleanReport {
   std::vector<std::string> notices;  ///< one sentence each: panes reduced, parts left out …
   double area_before_m2 = 0.0;
   double area_after_m2 = 0.0;
-  double gap_m = 0.0;             ///< up to which gaps were closed
+  double gap_m = 0.0;  ///< up to which gaps were closed
+  /// Pairs of polygons of closed solids that lie face to face: no defect, one stands on the other.
+  std::size_t contacts = 0;
+  std::size_t uncut_crossings = 0;  ///< pairs of polygons of closed solids that cutting would have opened
+  /// Polygons that have another material on the back, after the clean-up: in the file two polygons back to back. No defect.
+  std::size_t two_sided = 0;
   std::size_t open_edges = 0;     ///< after the clean-up: edges at which one polygon ends and no other begins
   double open_length_m = 0.0;     ///< of those edges
   std::size_t closed_shells = 0;  ///< after the clean-up: connected polygons without an open edge

@@ -2,6 +2,7 @@
 #include "mesh/orientation.h"
 
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -128,7 +129,8 @@ bool is_inside_out(const Soup& soup, const Shell& shell) {
   return figures.turned_area > (0.5 + 1e-9) * figures.area;
 }
 
-void orient(Soup& soup, const Shell& shell, DefectList& defects) {
+/// @param told  polygons of the model that are told as turned; of one that was cut, pieces are not counted apart
+void orient(Soup& soup, const Shell& shell, std::unordered_set<std::uint32_t>& told, DefectList& defects) {
   const std::uint32_t first = shell.polygons[0];
   if (shell.one_sided) {
     defects.leave("one-sided shells", {soup.polygons[first].source, corner_of(soup, first)},
@@ -143,8 +145,9 @@ void orient(Soup& soup, const Shell& shell, DefectList& defects) {
   const bool all = to_flip.size() == shell.polygons.size();
   for (const std::uint32_t p : to_flip) {
     flip(soup.polygons[p]);
+    if (all || !told.insert(soup.polygons[p].source).second) continue;
     const double size = std::sqrt(area(soup.points, soup.polygons[p]));
-    if (!all) defects.add("mixed orientation", {soup.polygons[p].source, corner_of(soup, p), size});
+    defects.add("mixed orientation", {soup.polygons[p].source, corner_of(soup, p), size});
   }
   if (all) defects.add("inside-out shells", {soup.polygons[first].source, corner_of(soup, first)});
 }
@@ -177,10 +180,11 @@ std::size_t orient_shells(Soup& soup, DefectList& defects) {
   const ShellGraph graph(soup, true);
   std::vector<std::uint8_t> state(soup.polygons.size(), 0);
   std::size_t closed = 0;
+  std::unordered_set<std::uint32_t> told;
   for (std::uint32_t seed = 0; seed < soup.polygons.size(); ++seed) {
     if (state[seed] != 0) continue;
     const Shell shell = grow(graph, seed, state);
-    orient(soup, shell, defects);
+    orient(soup, shell, told, defects);
     if (shell.closed && !shell.one_sided) ++closed;
   }
   return closed;

@@ -85,7 +85,7 @@ bool gives_back(const Soup& soup, const SoupPolygon& polygon, const SoupPolygon&
   return !twin.back_material.valid() && !passes(polygon) && !passes(twin) && !look_alike(soup, polygon, twin);
 }
 
-/// Tells of a polygon that lies on its twin, which may get its material on the back.
+/// Tells of a polygon that lies on its twin, unless the twin gets its material on the back: then nothing is lost.
 void merge_into(SoupPolygon& twin, const SoupPolygon& polygon, const Soup& soup, const MaterialFacts& materials,
                 DefectList& defects) {
   const DefectPlace place{polygon.source, place_of(soup, polygon), std::sqrt(area(soup.points, polygon))};
@@ -95,7 +95,6 @@ void merge_into(SoupPolygon& twin, const SoupPolygon& polygon, const Soup& soup,
     defects.add("duplicate polygons", place);
   } else if (gives_back(soup, polygon, twin, materials)) {
     twin.back_material = polygon.material;
-    defects.add("polygons back to back", place, kept + " on the front, " + other + " on the back");
   } else {
     defects.add("duplicate polygons of different material", place, kept + " kept, " + other + " dropped");
   }

@@ -22,9 +22,9 @@ struct MaterialFacts {
   const std::vector<bool>& passable;  ///< as CleanOptions::passable_materials
 };
 
-/// Of polygons with the same edges, either way round, keeps the first. Counts "duplicate polygons"; "polygons back to back" where one of
-/// another material lies the other way round, which becomes the material of the back; and "duplicate polygons of different material"
-/// where that decides which material is seen.
+/// Of polygons with the same edges, either way round, keeps the first. Where one of another material lies the other way round, its
+/// material becomes that of the back, and that is no defect. Counts "duplicate polygons", and "duplicate polygons of different material"
+/// where which is kept decides what is seen.
 void drop_duplicates(Soup& soup, const MaterialFacts& materials, DefectList& defects);
 
 }  // namespace clerestory::mesh

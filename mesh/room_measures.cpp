@@ -36,27 +36,38 @@ Point spread_point(const std::array<Point, 3>& t, std::uint32_t i) {
   return t[0] + a * (1.0 - b) * (t[1] - t[0]) + a * b * (t[2] - t[0]);
 }
 
-/// The room on whose floor a point lies: of its column, or, in a cell that a wall touches, of one beside it.
-std::uint32_t floor_room(const RoomMap& map, const Point& p) {
+/// The column on whose floor a point lies: its own, or, in a cell that a wall touches, one beside it.
+const RoomColumn* floor_column(const RoomMap& map, const Point& p) {
   const auto column = map.raster().at(p.x, p.y);
-  if (!column) return kNoRoom;
+  if (!column) return nullptr;
   for (const int dj : {0, -1, 1}) {
     for (const int di : {0, -1, 1}) {
       const auto near = map.raster().beside(*column, di, dj);
       if (!near) continue;
       for (const RoomColumn& c : map.of(*near)) {
-        if (c.kind == RoomColumn::Kind::kWhole && std::abs(p.z - c.floor) < kOnFloor) return c.room;
+        if (c.kind == RoomColumn::Kind::kWhole && std::abs(p.z - c.floor) < kOnFloor) return &c;
       }
     }
   }
-  return kNoRoom;
+  return nullptr;
 }
 
-std::uint32_t room_of_triangle(const std::array<Point, 3>& t, double area_m2, const RoomMap& map) {
+/// Whether another layer of the floor lies on a place of it: screed on a slab, a covering on both.
+bool is_covered(const Rays& rays, const Point& place, double floor) {
+  const Point above = place + rays.offset_m() * kUp;
+  const Hit hit = rays.first_hit({above, kUp});
+  return hit.face.valid() && above.z + hit.distance < floor + kOnFloor;
+}
+
+std::uint32_t room_of_triangle(const std::array<Point, 3>& t, double area_m2, const Rays& rays, const RoomMap& map) {
   const auto wanted = static_cast<std::size_t>(area_m2 / kPointArea);
   const std::size_t count = std::clamp(wanted, kLeastPoints, kMostPoints);
   std::map<std::uint32_t, std::size_t> votes;
-  for (std::uint32_t i = 0; i < count; ++i) ++votes[floor_room(map, spread_point(t, i))];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Point place = spread_point(t, i);
+    const RoomColumn* const column = floor_column(map, place);
+    ++votes[column == nullptr || is_covered(rays, place, column->floor) ? kNoRoom : column->room];
+  }
   const auto most = std::ranges::max_element(votes, {}, [](const auto& v) { return v.second; });
   return most->first;
 }
@@ -187,13 +198,13 @@ double plan_area(const std::array<Point, 3>& t) {
 
 }  // namespace
 
-std::vector<std::uint32_t> floor_triangles(const Faces& faces, const RoomMap& map) {
+std::vector<std::uint32_t> floor_triangles(const Faces& faces, const Rays& rays, const RoomMap& map) {
   std::vector<std::uint32_t> floor_of(faces.shape.triangles.size(), kNoRoom);
   for (std::size_t f = 0; f < faces.count(); ++f) {
     if (std::abs(faces.faces[f].frame.w.z) < kLevelCosine) continue;
     for (std::uint32_t t = faces.shape.starts[f]; t < faces.shape.starts[f + 1]; ++t) {
       const auto triangle = corners(faces, t);
-      floor_of[t] = room_of_triangle(triangle, plan_area(triangle), map);
+      floor_of[t] = room_of_triangle(triangle, plan_area(triangle), rays, map);
     }
   }
   return floor_of;

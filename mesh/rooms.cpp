@@ -250,7 +250,7 @@ Rooms find_rooms(const Faces& faces, const Rays& rays, const RoomSearch& search)
   auto holes = find_holes(drafts.columns, assigned.room_of_span, rooms.rooms.size(), columns);
   for (std::size_t r = 0; r < rooms.rooms.size(); ++r) rooms.rooms[r].openings = std::move(holes[r]);
   rooms.map = RoomMap(raster, std::move(columns));
-  rooms.floor_of = floor_triangles(faces, rooms.map);
+  rooms.floor_of = floor_triangles(faces, rays, rooms.map);
   measure_rooms(faces, rays, rooms.map, rooms.floor_of, rooms.rooms);
   add_panes(faces, rays, search, rooms);
   name(rooms.rooms);

@@ -3,6 +3,7 @@
 //   found N mended N KIND     a line a kind
 //   area_m2 A                 of all polygons after the clean-up
 //   open_edges N, closed_shells N
+//   two_sided N, contacts N   where there are some
 //   gap_m G                   an option, where it is given
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +28,8 @@ struct Expected {
   double area_m2 = -1.0;
   std::size_t open_edges = 0;
   std::size_t closed_shells = 0;
+  std::size_t two_sided = 0;
+  std::size_t contacts = 0;
 };
 
 std::filesystem::path folder() { return source_dir() / "tests" / "broken"; }
@@ -43,6 +46,8 @@ Expected read_expected(const std::string& name) {
     if (key == "area_m2") expected.area_m2 = value;
     if (key == "open_edges") expected.open_edges = static_cast<std::size_t>(value);
     if (key == "closed_shells") expected.closed_shells = static_cast<std::size_t>(value);
+    if (key == "two_sided") expected.two_sided = static_cast<std::size_t>(value);
+    if (key == "contacts") expected.contacts = static_cast<std::size_t>(value);
     if (key == "gap_m") expected.options.gap_m = value;
   }
   return expected;
@@ -80,6 +85,8 @@ TEST_P(Broken, GivesTheExpectedReport) {
   EXPECT_NEAR(report.area_after_m2, expected.area_m2, 1e-6 * expected.area_m2);
   EXPECT_EQ(report.open_edges, expected.open_edges);
   EXPECT_EQ(report.closed_shells, expected.closed_shells);
+  EXPECT_EQ(report.two_sided, expected.two_sided);
+  EXPECT_EQ(report.contacts, expected.contacts);
 }
 
 TEST_P(Broken, TellsWhereAndWhyNot) {

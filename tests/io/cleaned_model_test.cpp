@@ -85,6 +85,27 @@ TEST_F(CleanedModel, CleanedOnceMoreIsTheSame) {
   EXPECT_EQ(twice, once);
 }
 
+/// What is written as polygons and read again is clean; what could not be mended, or is no defect, is told again.
+TEST_F(CleanedModel, HousesAreCleanOnceCleaned) {
+  for (const char* house : {"AC20-FZK-Haus.ifc", "duplex.ifc"}) {
+    CLERESTORY_NEEDS_SHARED_DATA(fs::path("ifc") / house);
+    model_ = test::shared_data_dir() / "ifc" / house;
+    clean_to(out_);
+    model_ = out_;
+    const fs::path again = folder_.path() / "again.obj";
+    clean_to(again);
+    const auto first = nlohmann::json::parse(test::read_text(folder_.path() / "clean.obj.report.json"));
+    const auto second = nlohmann::json::parse(test::read_text(folder_.path() / "again.obj.report.json"));
+    for (const auto& [kind, defect] : second["defects"].items())
+      EXPECT_EQ(defect["mended"], 0) << house << ": " << kind;
+    EXPECT_EQ(second["area_after_m2"], first["area_after_m2"]) << house;
+    EXPECT_EQ(second["open_edges"], first["open_edges"]) << house;
+    EXPECT_EQ(second["closed_shells"], first["closed_shells"]) << house;
+    EXPECT_EQ(second["two_sided_polygons"], first["two_sided_polygons"]) << house;
+    EXPECT_EQ(read_model(again).model.vertices, read_model(out_).model.vertices) << house;
+  }
+}
+
 TEST_F(CleanedModel, PolygonsBackToBackAreBothWritten) {
   test::write_text(model_,
                    "# metres\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\nusemtl blue\nf 4 3 2 1\n");

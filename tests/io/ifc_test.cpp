@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include "mesh/clean.h"
 #include "tests/io/ifc_samples.h"
@@ -111,6 +112,23 @@ TEST(IfcHouseModels, FzkHasItsSpacesStoreysMaterialsAndGlass) {
   EXPECT_THAT(file.model.material_names, AllOf(Contains("Leichtbeton 102890359"), Contains("Kiefer, glänzend")));
   for (const SourceMaterial& material : file.materials) {
     EXPECT_EQ(material.name == "Glas", material.opacity == 0.0) << material.name;
+  }
+}
+
+/// As a program that was started again finds its memory elsewhere, each import here finds it in other places than the one before.
+TEST(IfcHouseModels, ImportsGiveTheSameWhereverTheirMemoryLies) {
+  CLERESTORY_NEEDS_SHARED_DATA("ifc");
+  constexpr int kUsual = 128 * 1024;
+  for (const char* house : {"AC20-FZK-Haus.ifc", "duplex.ifc"}) {
+    const ModelFile once = read_model(test::ifc_file(house));
+    for (const int mapped_from : {600, 4096}) {
+      ::mallopt(M_MMAP_THRESHOLD, mapped_from);
+      const ModelFile again = read_model(test::ifc_file(house));
+      ::mallopt(M_MMAP_THRESHOLD, kUsual);
+      EXPECT_EQ(again.model.vertices, once.model.vertices) << house;
+      EXPECT_EQ(again.model.corners, once.model.corners) << house;
+      EXPECT_EQ(again.model.polygon_material, once.model.polygon_material) << house;
+    }
   }
 }
 

@@ -71,6 +71,7 @@ TEST_F(ModelReportTest, DefectsHaveTheirWorstPlacesAndWhatToDo) {
   EXPECT_EQ(defect["worst"][0]["at"], Json({1.0, 2.0, 0.5}));
   EXPECT_THAT(report_text(report_),
               HasSubstr("gaps: 5 found, 4 mended\n"
+                        "  1 left: too wide\n"
                         "  at (1.000, 2.000, 0.500), part 'walls', line 34: 4 mm, left: too wide\n"
                         "  to do: "));
 }

@@ -53,6 +53,25 @@ TEST(RoomsJson, OpeningsNameWhereTheyLead) {
   EXPECT_EQ(json[0]["openings"][0]["kind"], "glazing");
 }
 
+TEST(DefectsJson, SayWhyDefectsWereLeft) {
+  mesh::CleanReport report;
+  report.defects = {{.kind = "gaps", .found = 3, .mended = 1, .places = {}},
+                    {.kind = "needle polygons", .found = 2, .mended = 2, .places = {}}};
+  for (const char* why : {"too wide", "too wide", ""})
+    report.defects[0].places.push_back({.polygon = 0, .at = {}, .note = why, .size_m = 0.0, .mended = *why == 0});
+  const auto json = defects_json(report);
+  EXPECT_EQ(json["gaps"]["left"], Json::parse(R"([{"reason": "too wide", "count": 2}])"));
+  EXPECT_FALSE(json["needle polygons"].contains("left"));
+}
+
+TEST(MeetingsJson, CountWhatIsNoDefect) {
+  mesh::CleanReport report;
+  report.contacts = 7;
+  report.uncut_crossings = 2;
+  report.two_sided = 1;
+  EXPECT_EQ(meetings_json(report), Json::parse(R"({"contacts": 7, "uncut_crossings": 2, "two_sided_polygons": 1})"));
+}
+
 TEST(RoomsJson, AHoleToTheOutsideAndNothingElseMakesARoomOpen) {
   const auto json = rooms_json(hall_and_store());
   EXPECT_EQ(json[0]["closed"], true) << "an open door to another room";

@@ -155,12 +155,12 @@ TEST_F(WriteModel, VtpHasPartsAndMaterialsByCell) {
   reader->SetFileName(beside("house.vtp").c_str());
   reader->Update();
   vtkPolyData* data = reader->GetOutput();
-  EXPECT_EQ(data->GetNumberOfPolys(), 10);
+  EXPECT_EQ(data->GetNumberOfPolys(), 4) << "the wall is cut in two at its window";
   EXPECT_EQ(data->GetPoint(0)[0], 612345.123456);
   EXPECT_THAT(strings(data, "part_names"), ElementsAre("floor of room 1", "wall"));
   EXPECT_THAT(strings(data, "material_names"), ElementsAre("oak, waxed", "white paint", "glass"));
-  EXPECT_EQ(data->GetCellData()->GetArray("part")->GetTuple1(9), 1.0);
-  EXPECT_EQ(data->GetCellData()->GetArray("material")->GetTuple1(9), 2.0);
+  EXPECT_EQ(data->GetCellData()->GetArray("part")->GetTuple1(3), 1.0);
+  EXPECT_EQ(data->GetCellData()->GetArray("material")->GetTuple1(3), 2.0);
 }
 
 TEST_F(WriteModel, NamesOfSeveralLinesStandInOne) {

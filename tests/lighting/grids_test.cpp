@@ -224,6 +224,18 @@ TEST(Grid, FloorOfTwoMaterialsIsOneRoom) {
   EXPECT_EQ(Site(two).place(on("rooms", 0.5)).outlines.size(), 2U);
 }
 
+/// Light reaches the slab over the joint along a wall, and what lies below the screed by the gap under it.
+TEST(Grid, RoomsStandOnTheUpperLayerOfTheirFloor) {
+  for (const double gap_m : {0.0, 0.013}) {
+    mesh::Model model = support::box_room(6, 4, 3);
+    add_box(model, {0, 0, gap_m}, {5.97, 4, gap_m + 0.02}, {"screed", "screed"});
+    const Sensors s = Site(model, {{1, 1, 2.5}}).place(on("rooms", 0.5));
+    EXPECT_EQ(s.outlines.size(), 1U) << gap_m;
+    EXPECT_EQ(s.count(), 12U * 8U) << gap_m;
+    for (const Point& p : s.positions) EXPECT_NEAR(p.z, gap_m + 0.02 + 0.8, 1e-6);
+  }
+}
+
 TEST(Grid, TablesAreNeitherRoomsNorHoles) {
   mesh::Model model = support::box_room(6, 4, 3);
   support::add_table(model, {2, 1, 0});

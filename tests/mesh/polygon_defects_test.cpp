@@ -88,11 +88,7 @@ TEST(DropDuplicates, BackToBackEachSideKeepsItsMaterial) {
     const SoupPolygon& kept = soup.polygons[0];
     EXPECT_EQ(model.material_names[kept.material.index()], stone_first ? "stone" : "wood");
     EXPECT_EQ(model.material_names[kept.back_material.index()], stone_first ? "wood" : "stone");
-    const std::vector<Defect> defects = std::move(list).take({});
-    ASSERT_EQ(defects.size(), 1U);
-    EXPECT_EQ(defects[0].kind, "polygons back to back");
-    EXPECT_EQ(defects[0].places[0].note,
-              stone_first ? "stone on the front, wood on the back" : "wood on the front, stone on the back");
+    EXPECT_TRUE(std::move(list).take({}).empty()) << "nothing is lost, so that it is no defect";
   }
 }
 
@@ -115,7 +111,9 @@ TEST(DropDuplicates, TheFirstOfSeveralBacksStays) {
   drop_duplicates(soup, {model.material_names, {}}, list);
   ASSERT_EQ(soup.polygons.size(), 1U);
   EXPECT_EQ(model.material_names[soup.polygons[0].back_material.index()], "stone");
-  EXPECT_EQ(std::move(list).take({}).size(), 2U);
+  const std::vector<Defect> defects = std::move(list).take({});
+  ASSERT_EQ(defects.size(), 1U);
+  EXPECT_EQ(defects[0].places.at(0).note, "wood kept, brick dropped");
 }
 
 }  // namespace

@@ -441,6 +441,23 @@ TEST(Rooms, FloorTrianglesTellTheirRoom) {
   EXPECT_NEAR(area[1], 12.0, 1e-9);
 }
 
+TEST(Rooms, LowerLayersOfAFloorAreNone) {
+  Model model = support::box_room(6, 4, 3);
+  add_box(model, {0, 0, 0.013}, {6, 2, 0.033}, {"screed", "screed"});
+  const Building b(model);
+  double slab = 0.0;
+  double screed = 0.0;
+  for (std::uint32_t t = 0; t < b.found.floor_of.size(); ++t) {
+    if (b.found.floor_of[t] == kNoRoom) continue;
+    const auto& v = b.faces.shape.vertices;
+    const auto& [i, j, k] = b.faces.shape.triangles[t].vertices;
+    const double z = v[i].z + b.faces.origin.z;
+    (z < 0.02 ? slab : screed) += 0.5 * norm(cross(v[j] - v[i], v[k] - v[i]));
+  }
+  EXPECT_NEAR(screed, 12.0, 1e-6) << "its upper side, and not its lower one";
+  EXPECT_LE(slab, 12.0 + 1e-6);
+}
+
 TEST(Rooms, SurfacesKnowTheRoomThatTheyLookInto) {
   const Building b(support::two_rooms_with_thin_wall({.thickness_m = 0.1}));
   const auto before = [&](const Point& p, const Vector& n) {
