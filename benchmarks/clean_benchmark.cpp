@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads models and cleans them; prints CPU seconds by step, and memory:
+// Reads models and cleans them; with --rooms also looks for their openings and rooms, as `clerestory inspect` does. Prints CPU
+// seconds by step, and memory:
 //   benchmarks/city_block.py 100000 -o block.obj && build/release/benchmarks/clean_benchmark block.obj
 #include <fmt/format.h>
 
@@ -10,8 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/model_file.h"
 #include "io/stopwatch.h"
+#include "io/study_file.h"
+#include "lighting/scene.h"
 #include "mesh/clean.h"
 
 namespace {
@@ -44,7 +46,7 @@ class PhaseTimes final : public clerestory::Progress {
   void print(double seconds) const {
     std::string shares;
     for (int tenths = 1; tenths < 10 && !told_.empty(); ++tenths) {
-      const auto reached = std::ranges::find_if(told_, [&](const Told& t) { return t.fraction >= 0.1 * tenths; });
+      const auto reached = std::ranges::find_if(told_, [&](const Told& t) { return 10.0 * t.fraction >= tenths; });
       shares += reached == told_.end() ? "    -" : fmt::format(" {:4.0f}", 100.0 * reached->seconds / seconds);
     }
     fmt::print("  {:<16} {:8.2f} s{}{}\n", name_, seconds, shares.empty() ? "" : "  % at each tenth:", shares);
@@ -56,31 +58,40 @@ class PhaseTimes final : public clerestory::Progress {
   std::vector<Told> told_;
 };
 
-void measure(const char* file) {
+void measure(const std::string& file, bool rooms) {
   const double start = clerestory::io::process_cpu_seconds();
-  clerestory::mesh::CleanSurface surface;
+  clerestory::mesh::CleanReport report;
   std::size_t polygons = 0;
   {
     PhaseTimes times("reading");
-    const clerestory::io::ModelFile read = clerestory::io::read_model(file);
-    polygons = read.model.polygon_count();
-    surface = clerestory::mesh::clean(read.model, {}, &times);
+    const clerestory::io::StudyInput input = clerestory::io::read_study(file, {.set = {}, .model_only = true});
+    polygons = input.study.model.polygon_count();
+    report = rooms ? clerestory::lighting::build_scene(input.study, &times).clean_report
+                   : clerestory::mesh::clean(input.study.model, input.study.clean, &times).report;
   }
-  fmt::print("{}: {} polygons, then {}; {:.2f} CPU s, {:.0f} MB\n", file, polygons, surface.polygons.polygon_count(),
+  fmt::print("{}: {} polygons; {:.2f} CPU s, {:.0f} MB\n", file, polygons,
              clerestory::io::process_cpu_seconds() - start, clerestory::io::peak_memory_mb());
-  for (const clerestory::mesh::Defect& defect : surface.report.defects) {
+  for (const clerestory::mesh::Defect& defect : report.defects) {
     fmt::print("  {:<44} {:>9} found {:>9} mended\n", defect.kind, defect.found, defect.mended);
   }
-  fmt::print("  area {:.6f} m2, then {:.6f} m2; {} open edges, {} closed shells, gap {:g} m\n",
-             surface.report.area_before_m2, surface.report.area_after_m2, surface.report.open_edges,
-             surface.report.closed_shells, surface.report.gap_m);
+  fmt::print("  {} contacts, {} uncut crossings, {} two-sided polygons\n", report.contacts, report.uncut_crossings,
+             report.two_sided);
+  fmt::print("  area {:.6f} m2, then {:.6f} m2; {} open edges, {} closed shells, gap {:g} m\n", report.area_before_m2,
+             report.area_after_m2, report.open_edges, report.closed_shells, report.gap_m);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   try {
-    for (int i = 1; i < count; ++i) measure(arguments[i]);
+    bool rooms = false;
+    for (int i = 1; i < count; ++i) {
+      const std::string argument = arguments[i];
+      if (argument == "--rooms")
+        rooms = true;
+      else
+        measure(argument, rooms);
+    }
   } catch (const std::exception& error) {
     fmt::print(stderr, "clean_benchmark: {}\n", error.what());
     return 1;

@@ -14,6 +14,7 @@
 #include "lighting/sampling.h"
 #include "mesh/error.h"
 #include "mesh/hash.h"
+#include "mesh/phase_part.h"
 #include "mesh/reachable.h"
 
 namespace clerestory::lighting {
@@ -24,6 +25,12 @@ using mesh::Side;
 using mesh::Vector;
 
 namespace {
+
+// Shares of the time of what comes up to the rooms, measured on two houses and a city block of 100 000 triangles: materials
+// 1 to 39 %, most where they reflect by orientation; what light reaches 34 to 66 %; the same by triangles about 15 %.
+constexpr double kShareOfMaterials = 0.1;
+constexpr double kShareBeforeOpenings = 0.65;
+constexpr double kShareBeforeRooms = 0.8;
 
 /// Default reflectances by orientation, where a material says nothing [Rushmeier 1988, quoted by Cohen and Wallace 1993].
 constexpr float kLooksUp = 0.2F;
@@ -210,12 +217,12 @@ void fill_exitances(const Study& study, Scene& scene) {
   }
 }
 
-void find_reachable(Scene& scene) {
+void find_reachable(Scene& scene, Progress& progress) {
   std::vector<std::uint8_t> seeds(2 * scene.faces.count(), 0);
   for (std::size_t s = 0; s < seeds.size(); ++s) seeds[s] = scene.shines(mesh::face_side(s)) ? 1 : 0;
   std::vector<mesh::Point> points;
   for (const PointSource& p : scene.point_sources) points.push_back(p.at);
-  scene.reachable = mesh::reachable_sides(scene.faces, *scene.rays, seeds, points);
+  scene.reachable = mesh::reachable_sides(scene.faces, *scene.rays, seeds, points, &progress);
   scene.has_elements = scene.reachable;
   for (std::size_t f = 0; f < scene.faces.count(); ++f) {
     if (scene.passable[f] == 0 || scene.glazing_of[f] >= 0) continue;
@@ -224,14 +231,14 @@ void find_reachable(Scene& scene) {
   }
 }
 
-void find_rooms(const Study& study, Scene& scene) {
+void find_rooms(const Study& study, Scene& scene, Progress& progress) {
   std::vector<std::uint8_t> glazing;
   std::vector<std::uint8_t> air;
   for (std::size_t f = 0; f < scene.faces.count(); ++f) {
     glazing.push_back(scene.glazing_of[f] >= 0 ? 1 : 0);
     air.push_back(scene.passable[f] != 0 && scene.glazing_of[f] < 0 ? 1 : 0);
   }
-  scene.reachable_triangles = mesh::reachable_triangles(scene.faces, *scene.rays, scene.reachable);
+  scene.reachable_triangles = mesh::reachable_triangles(scene.faces, *scene.rays, scene.reachable, &progress);
   scene.rooms =
       mesh::find_rooms(scene.faces, *scene.rays,
                        {.glazing = glazing, .air = air, .reached = scene.reachable_triangles, .spaces = study.spaces});
@@ -277,12 +284,11 @@ Scene build_scene(const Study& study, Progress* progress) {
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
   fill_exitances(study, scene);
-  watcher.advance(0.2);
-  find_reachable(scene);
-  watcher.advance(0.4);
+  PhasePart reaching(watcher, kShareOfMaterials, kShareBeforeOpenings);
+  find_reachable(scene, reaching);
   find_openings(scene);
-  watcher.advance(0.6);
-  find_rooms(study, scene);
+  PhasePart looking(watcher, kShareBeforeOpenings, kShareBeforeRooms);
+  find_rooms(study, scene, looking);
   scene.materials = material_uses(study);
   for (const GlazingCurves& g : scene.glazings) {
     if (g.transmittance.back() > 0.918F) {

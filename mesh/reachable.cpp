@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/hash.h"
+#include "mesh/phase_part.h"
 #include "mesh/regions.h"
 
 namespace clerestory::mesh {
@@ -68,11 +69,14 @@ class Search {
   }
 
   /// Sends rays from the given nodes and follows what they tell to its end.
-  void search(const std::vector<Node>& nodes) {
-    cast(nodes, 0, kRays);
+  void search(const std::vector<Node>& nodes, Progress& progress) {
+    PhasePart casting(progress, 0.0, 1.0);
+    cast(nodes, 0, kRays, casting);
     settle();
     for (std::vector<Node> doubtful = undecided(nodes); !doubtful.empty(); doubtful = undecided(nodes)) {
-      cast(doubtful, kRays, kMoreRays);
+      NoProgress untold;
+      PhasePart few(untold, 0.0, 1.0);
+      cast(doubtful, kRays, kMoreRays, few);
       settle();
     }
   }
@@ -80,7 +84,7 @@ class Search {
  private:
   static Side side(Node node) { return node % 2 == 0 ? Side::kFront : Side::kBack; }
 
-  void cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count);
+  void cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count, PhasePart& progress);
   void follow(Node from, Ray ray);
   void settle();
   void index_touches();
@@ -119,8 +123,10 @@ class Search {
   std::vector<std::uint32_t> sent_starts_, sent_paths_;    // node → paths that it sent
 };
 
-void Search::cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count) {
+void Search::cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count, PhasePart& progress) {
+  std::size_t done = 0;
   for (const Node node : nodes) {
+    progress.advance(done++, nodes.size());
     const std::size_t region = node / 2;
     if (regions_.area_m2[region] <= 0.0) continue;
     const RegionPoints points(faces_, regions_, region);
@@ -206,7 +212,7 @@ void Search::settle() {
 }  // namespace
 
 std::vector<std::uint8_t> reachable_sides(const Faces& faces, const Rays& rays, std::span<const std::uint8_t> seeds,
-                                          std::span<const Point> seed_points) {
+                                          std::span<const Point> seed_points, Progress* progress) {
   assert(seeds.empty() || seeds.size() == 2 * faces.count());
   Search search(faces, rays);
   std::vector<Node> nodes(search.reached().size());
@@ -215,15 +221,16 @@ std::vector<std::uint8_t> reachable_sides(const Faces& faces, const Rays& rays, 
     if (!seeds.empty() && seeds[search.side_of(n)] != 0) search.seed(n);
   }
   search.cast_from_points(seed_points);
-  search.search(nodes);
+  NoProgress unwatched;
+  search.search(nodes, progress != nullptr ? *progress : unwatched);
 
   std::vector<std::uint8_t> sides(2 * faces.count(), 0);
   for (Node n = 0; n < nodes.size(); ++n) sides[search.side_of(n)] |= search.reached()[n];
   return sides;
 }
 
-std::vector<std::uint8_t> reachable_triangles(const Faces& faces, const Rays& rays,
-                                              std::span<const std::uint8_t> sides) {
+std::vector<std::uint8_t> reachable_triangles(const Faces& faces, const Rays& rays, std::span<const std::uint8_t> sides,
+                                              Progress* progress) {
   assert(sides.size() == 2 * faces.count());
   Search search(faces, rays);
   const std::size_t count = search.reached().size();
@@ -237,7 +244,8 @@ std::vector<std::uint8_t> reachable_triangles(const Faces& faces, const Rays& ra
     else
       open.push_back(n);
   }
-  search.search(open);
+  NoProgress unwatched;
+  search.search(open, progress != nullptr ? *progress : unwatched);
 
   // Where no region of a reachable side was found, each may be it.
   std::vector<std::uint8_t> found(2 * faces.count(), 0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/faces.h"
+#include "mesh/progress.h"
 #include "mesh/rays.h"
 
 namespace clerestory::mesh {
@@ -17,13 +18,15 @@ namespace clerestory::mesh {
 /// one in 150 rays find.
 /// @param seeds        [2 a face] non-zero for sides that shine; may be empty
 /// @param seed_points  point sources [m, local coordinates]
+/// @param progress     hears which share is done; may be null
 std::vector<std::uint8_t> reachable_sides(const Faces& faces, const Rays& rays, std::span<const std::uint8_t> seeds,
-                                          std::span<const Point> seed_points);
+                                          std::span<const Point> seed_points, Progress* progress = nullptr);
 
 /// The same for triangles of the shape: [2 a triangle, front first]. Where a face is partly covered (a floor under a wall that has
 /// no foot of its own), its side is reachable, its covered region is not.
-/// @param sides  what reachable_sides() gave for these faces
-std::vector<std::uint8_t> reachable_triangles(const Faces& faces, const Rays& rays,
-                                              std::span<const std::uint8_t> sides);
+/// @param sides     what reachable_sides() gave for these faces
+/// @param progress  hears which share is done; may be null
+std::vector<std::uint8_t> reachable_triangles(const Faces& faces, const Rays& rays, std::span<const std::uint8_t> sides,
+                                              Progress* progress = nullptr);
 
 }  // namespace clerestory::mesh
