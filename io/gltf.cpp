@@ -18,6 +18,7 @@ namespace clerestory::io {
 namespace {
 
 constexpr std::uint64_t kLongestText = std::uint64_t{1} << 30;
+constexpr std::uint64_t kLongestBinary = std::uint64_t{1} << 32;  // its header has 32 bits for the length
 
 /// Alpha means nothing in the mode OPAQUE, and in MASK belongs to a texture.
 std::optional<double> opacity_of(const aiMaterial& material) {
@@ -78,6 +79,7 @@ bool is_glb(std::string_view head) { return head.starts_with("glTF"); }
 
 ModelFile import_gltf(const std::filesystem::path& path, const ModelFormat& format) {
   require_file(path, "model");
+  require_file_of_at_most(path, "model", is_glb(read_head(path, 4)) ? kLongestBinary : kLongestText);
   AssimpImport import(path, "gltf");
   SceneConvention convention;
   convention.told_by = "the base colour of the glTF";

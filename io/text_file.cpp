@@ -26,6 +26,11 @@ std::string from_utf16(std::string_view bytes) {
   return text;
 }
 
+[[noreturn]] void refuse_as_too_long(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
+  throw InputError(path.string(), 0, fmt::format("the file has over {} bytes", limit),
+                   fmt::format("is it a {}?", kind));
+}
+
 }  // namespace
 
 FileStream open_file(const std::filesystem::path& path, std::string_view kind) {
@@ -50,6 +55,13 @@ void require_file(const std::filesystem::path& path, std::string_view kind) {
   throw InputError(file, 0, "this is no regular file", fmt::format("save the {} to a file first", kind));
 }
 
+void require_file_of_at_most(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
+  require_file(path, kind);
+  std::error_code unknown;
+  const std::uint64_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size > limit) refuse_as_too_long(path, kind, limit);
+}
+
 std::string read_head(const std::filesystem::path& path, std::size_t most) {
   const FileStream stream = open_file(path, "file");
   std::string head(most, '\0');
@@ -58,14 +70,13 @@ std::string read_head(const std::filesystem::path& path, std::size_t most) {
 }
 
 std::string read_text_file(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit) {
+  require_file_of_at_most(path, kind, limit);
   const FileStream stream = open_file(path, kind);
   std::string text;
   std::vector<char> buffer(std::min<std::uint64_t>(limit + 1, kBufferBytes));
   while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
     text.append(buffer.data(), read);
-    if (text.size() > limit)
-      throw InputError(path.string(), 0, fmt::format("the file has over {} bytes", limit),
-                       fmt::format("is it a {}?", kind));
+    if (text.size() > limit) refuse_as_too_long(path, kind, limit);  // it has grown
   }
   if (std::ferror(stream.get()) != 0) throw MachineError(path.string() + ": reading failed: " + std::strerror(errno));
   if (is_utf16(text)) return from_utf16(text);

@@ -18,6 +18,9 @@ namespace clerestory::io {
 /// should be, for the message: "model", "study".
 void require_file(const std::filesystem::path& path, std::string_view kind);
 
+/// Throws InputError where require_file() does, and for a file over `limit` bytes.
+void require_file_of_at_most(const std::filesystem::path& path, std::string_view kind, std::uint64_t limit);
+
 struct CloseFile {
   void operator()(std::FILE* stream) const { std::fclose(stream); }
 };

@@ -94,7 +94,8 @@ void tell_two_sided(const Soup& soup, CleanReport& report) {
       std::ranges::count_if(soup.polygons, [](const SoupPolygon& polygon) { return polygon.back_material.valid(); }));
   if (report.two_sided > 0)
     report.notices.push_back(fmt::format(
-        "{} polygons have another material on the back, that of a polygon which lay there the other way round",
+        "{} polygons lay back to back with another one of another material; each such pair is one polygon with a "
+        "material on either side, and no defect",
         report.two_sided));
 }
 

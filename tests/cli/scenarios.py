@@ -133,6 +133,26 @@ def interruption_leaves_the_folder_as_it_was(command):
         expect(command.contents() == before, "something has changed")
 
 
+def lines_of_two_gigabytes_are_refused_at_once(command):
+    begin = {"obj": b"v ", "mtl": b"newmtl ", "stl": b"solid ", "ply": b"ply\nformat ascii 1.0\ncomment ", "off": b"OFF\n",
+             "dxf": b"0\n", "rad": b"void plastic ", "gltf": b"{", "dae": b"<?xml version=", "ifc": b"ISO-10303-21;",
+             "toml": b"[model] # ", "sdf": b"<sdf "}
+    for ending, first in begin.items():
+        file = command.scratch / f"long.{ending}"
+        with file.open("wb") as out:
+            out.write(first)
+            for _ in range(65):
+                out.write(b"9" * (1 << 20))
+            out.truncate(1 << 31)  # what follows takes no place on the disk
+        if ending == "mtl":
+            (command.scratch / "model.obj").write_text("mtllib long.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        command.run("inspect", "model.obj" if ending == "mtl" else file.name, status=1, lines=1)
+        file.unlink()
+    # 64 MiB of a line, held several times at most, and not the file.
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    expect(peak < 600, f"it took {peak:.0f} MB")
+
+
 def same_bytes_for_one_and_two_threads(command):
     tables = []
     for threads in ("1", "2"):
@@ -144,7 +164,8 @@ def same_bytes_for_one_and_two_threads(command):
 SCENARIOS = {f.__name__: f for f in (
     clean_on_a_full_disk_leaves_what_was_there, clean_replaces_its_own_files_alone, current_folder_keeps_other_files,
     file_of_the_user_is_not_overwritten, full_disk_keeps_older_results, full_disk_writes_nothing,
-    interruption_leaves_the_folder_as_it_was, same_bytes_for_one_and_two_threads, second_run_replaces_the_first)}
+    interruption_leaves_the_folder_as_it_was, lines_of_two_gigabytes_are_refused_at_once,
+    same_bytes_for_one_and_two_threads, second_run_replaces_the_first)}
 
 
 def main():
