@@ -92,8 +92,7 @@ std::vector<Group> groups_of(const mesh::Model& model) {
 class Document {
  public:
   explicit Document(const WrittenModel& written)
-      : triangles_(cut_into_triangles(written.model)),
-        centre_(centre_of(triangles_)) {
+      : triangles_(cut_into_triangles(written.model)), centre_(centre_of(triangles_)) {
     const Float3 place = turned(centre_ - mesh::Point{});
     json_["asset"] = {{"version", "2.0"}, {"generator", std::string("Clerestory ") + kVersion}};
     json_["scene"] = 0;
