@@ -55,18 +55,18 @@ void find_drawn_ends_on_edges(const FaceDrafts& drafts, PendingSplits& pending) 
   }
   const BoxTree tree(boxes);
   const double near = kAtEndShare * drafts.tolerance;
-  for (const auto& [end, vertex] : drafts.drawn_ends) {
+  for (const FaceDrafts::DrawnEnd& drawn : drafts.drawn_ends) {
     Box around;
-    around.add(end);
+    around.add(drawn.end);
     around = grown(around, near);
     tree.visit([&](const Box& box) { return overlap(around, box); },
                [&](std::uint32_t e) {
                  const auto& [a, b] = edges[e];
-                 if (vertex == a || vertex == b) return;
+                 if (drawn.vertex == a || drawn.vertex == b) return;
                  const Vector d = drafts.vertices[b] - drafts.vertices[a];
-                 const Vector offset = end - drafts.vertices[a];
+                 const Vector offset = drawn.end - drafts.vertices[a];
                  const double t = dot(offset, d) / dot(d, d);
-                 if (t > 0.0 && t < 1.0 && norm(offset - t * d) <= near) pending[edges[e]].push_back(vertex);
+                 if (t > 0.0 && t < 1.0 && norm(offset - t * d) <= near) pending[edges[e]].push_back(drawn.vertex);
                });
   }
 }
