@@ -63,7 +63,7 @@ void accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurem
   const LinearValue slope = survey.relative_slope();
   const auto received = static_cast<float>(measured.received);
   for (LinearValue& v : solution.direct(e)) v = {received, received * slope.slope_u, received * slope.slope_v};
-  solution.add_error(e, survey.fit.residual * survey.fit.residual + measured.noise * measured.noise);
+  solution.add_error(e, measured.noise * measured.noise, survey.fit.residual * survey.fit.residual);
 }
 
 }  // namespace

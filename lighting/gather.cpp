@@ -30,11 +30,12 @@ constexpr std::size_t kReplicates = 16;
 /// Student's t with 15 degrees of freedom keeps 95.45 % within 2.18 standard errors of the mean; the stated error is so much larger
 /// that twice the error keeps them.
 constexpr double kStudent = 2.18 / 2.0;
-/// The share of the accuracy that sampling may use up; discretisation has the rest.
-constexpr double kSamplingShare = 0.7;
-/// Errors of links to different elements are not independent: elements share their sources. Measured on the validation scenes, the
-/// error that the solution makes at a sensor is so many times the one of independent elements.
-constexpr double kCorrelation = 3.0;
+/// Errors are brought to this share of the accuracy: sampling takes what discretisation leaves of it, and half of it anyway, since more
+/// rays cannot mend what the solution has wrong.
+constexpr double kAimed = 0.85;
+constexpr double kLeastSampling = 0.5;
+/// The same for the samples of the solution's errors, of which there are eight.
+constexpr double kStudentOfSamples = 2.37 / 2.0;
 constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;
@@ -42,6 +43,9 @@ constexpr std::uint32_t kMostClearRays = 256;
 constexpr std::uint32_t kMostDarkRays = 256;  ///< a replicate, until half of them have met light
 /// Sensors darker than this share of the grid's mean need not be better than one of that illuminance.
 constexpr double kDarkShare = 0.05;
+
+/// Replicates of fewer rays than this must agree better before sampling stops: if all of them have missed a bright spot, they agree.
+constexpr double kManyRays = 8.0;
 
 using Replicates = std::array<double, kReplicates>;
 
@@ -99,13 +103,22 @@ struct SensorState {
     for (const Part& p : parts) sum += p.variance();
     return kStudent * std::sqrt(sum);
   }
+  /// The same, larger where rays are few: what decides whether to go on.
+  [[nodiscard]] double cautious_error() const {
+    double sum = 0.0;
+    for (const Part& p : parts) sum += p.variance() * std::sqrt(std::max(1.0, kManyRays / p.rays));
+    return kStudent * std::sqrt(sum);
+  }
 };
+
+using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
 /// Adds up the light along a ray.
 struct Looker {
   const Solution* solution;
   double lux = 0.0;
-  std::vector<std::pair<std::uint32_t, float>>* met = nullptr;  ///< elements with weights, where asked for
+  const SolutionErrors* errors = nullptr;
+  ErrorSums* wrong = nullptr;  ///< what the light may be wrong by, where asked for
 
   void surface(const SurfacePoint& seen, float weight, bool with_emission) {
     const ElementId e = solution->element_at(seen.side, seen.region, seen.at);
@@ -116,17 +129,26 @@ struct Looker {
       b += scene.channel_weights[c] * solution->radiosity_at(e, seen.at, c, with_emission);
     }
     lux += static_cast<double>(weight) * b;
-    if (met != nullptr) met->emplace_back(e.value, weight);
+    if (wrong == nullptr) return;
+    const SolutionErrors::Samples samples = errors->radiosity(*solution, e, seen.at);
+    for (std::size_t k = 0; k < samples.size(); ++k) (*wrong)[k] += static_cast<double>(weight) * samples[k];
   }
   void sky(const Vector& direction, float weight, bool) {
     lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
   }
 };
 
+/// The sampling error to reach, for an error of all to be allowed [lux].
+double sampling_goal(const SensorState& state, double allowed_lux) {
+  const double aimed = kAimed * allowed_lux;
+  const double left = std::sqrt(std::max(0.0, aimed * aimed - state.discretisation_lux * state.discretisation_lux));
+  return std::max(left, kLeastSampling * aimed);
+}
+
 class Gatherer {
  public:
-  Gatherer(const Solution& solution, double accuracy, std::uint64_t seed)
-      : solution_(solution), seed_(seed), first_rays_(first_rays(accuracy)) {
+  Gatherer(const Solution& solution, const SolutionErrors& errors, double accuracy, std::uint64_t seed)
+      : solution_(solution), errors_(errors), seed_(seed), first_rays_(first_rays(accuracy)) {
     for (const Opening& opening : scene().openings) opening_ends_.push_back(shaft_end(opening));
     for (const ElementId root : solution.tree().roots()) {
       const auto exitance = scene().side_exitance(solution.tree().face_side(root));
@@ -156,14 +178,14 @@ class Gatherer {
       state.parts.push_back(part);
     }
     Part hemisphere;
-    Met met;
-    extend(hemisphere, first_rays_, sensor, at, normal, &met);
+    ErrorSums wrong{};
+    extend(hemisphere, first_rays_, sensor, at, normal, &wrong);
     // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
     while (hemisphere.lit() < kReplicates / 2 && hemisphere.rays < kMostDarkRays) {
       extend(hemisphere, 2 * hemisphere.rays, sensor, at, normal, nullptr);
     }
     state.parts.push_back(hemisphere);
-    state.discretisation_lux = kCorrelation * discretisation(met, first_rays_ * kReplicates);
+    state.discretisation_lux = discretisation(wrong, first_rays_ * kReplicates);
     return state;
   }
 
@@ -174,7 +196,7 @@ class Gatherer {
         extend(p, 2 * p.rays, sensor, at, normal, nullptr);
       }
     }
-    while (state.sampling_error() > goal_lux) {
+    while (state.cautious_error() > goal_lux) {
       // The part whose doubling takes off most for a ray.
       Part* best = nullptr;
       double most = 0.0;
@@ -203,17 +225,15 @@ class Gatherer {
     return false;
   }
 
-  using Met = std::vector<std::pair<std::uint32_t, float>>;
-
   void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Vector& normal,
-              Met* met) const {
+              ErrorSums* wrong) const {
     const std::uint64_t key =
         mesh::hash(mesh::hash(seed_, sensor), mesh::hash(static_cast<std::uint64_t>(part.kind), part.which));
     for (std::size_t r = 0; r < kReplicates; ++r) {
       const SobolPoints points(mesh::hash(key, r));
       switch (part.kind) {
         case Part::Kind::kHemisphere:
-          look_around(part, r, until, points, at, normal, met);
+          look_around(part, r, until, points, at, normal, wrong);
           break;
         case Part::Kind::kOpening:
           look_out(part, r, until, points, at, normal);
@@ -227,10 +247,10 @@ class Gatherer {
   }
 
   void look_around(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
-                   const Vector& normal, Met* met) const {
+                   const Vector& normal, ErrorSums* wrong) const {
     const mesh::Frame frame = mesh::frame_around(normal);
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      Looker looker{&solution_, 0.0, met};
+      Looker looker{&solution_, 0.0, &errors_, wrong};
       const Vector d = cosine_direction(frame, points.at(i, 0), points.at(i, 1));
       follow(scene(), at, d, 1.0F, PathRule{PathRule::Part::kGather, -1, true}, looker);
       part.sums[r] += looker.lux;
@@ -247,7 +267,7 @@ class Gatherer {
       const SolidAngleSample s = sampler.sample(points.at(i, 0), points.at(i, 1));
       const double cosine = dot(s.direction, normal);
       if (cosine <= 0.0 || s.solid_angle_sr <= 0.0) continue;
-      Looker looker{&solution_, 0.0, nullptr};
+      Looker looker{&solution_};
       follow(scene(), at, s.direction, 1.0F, rule, looker);
       part.sums[r] += looker.lux * s.solid_angle_sr * cosine / std::numbers::pi;
     }
@@ -294,23 +314,15 @@ class Gatherer {
     if (part.mean() > 0.0) state.parts.push_back(part);
   }
 
-  /// Errors of different elements are independent: their weighted squares add up.
-  [[nodiscard]] double discretisation(Met& met, std::size_t rays) const {
-    std::sort(met.begin(), met.end());
+  /// What the solution's errors make at a sensor, by what so many rays have met.
+  [[nodiscard]] static double discretisation(const ErrorSums& wrong, std::size_t rays) {
     double square = 0.0;
-    for (std::size_t i = 0; i < met.size();) {
-      const std::uint32_t e = met[i].first;
-      double weight = 0.0;
-      for (; i < met.size() && met[i].first == e; ++i) weight += met[i].second;
-      const mesh::FaceSide side = solution_.tree().face_side(ElementId(e));
-      const float rho = luminance(scene().side_reflectance(side), scene().channel_weights);
-      const double own = weight / static_cast<double>(rays) * rho * solution_.element_error(ElementId(e));
-      square += own * own;
-    }
-    return std::sqrt(square);
+    for (const double sum : wrong) square += sum * sum / static_cast<double>(wrong.size());
+    return kStudentOfSamples * std::sqrt(square) / static_cast<double>(rays);
   }
 
   const Solution& solution_;
+  const SolutionErrors& errors_;
   std::uint64_t seed_;
   std::uint32_t first_rays_;
   std::vector<Emitter> emitters_;
@@ -319,10 +331,10 @@ class Gatherer {
 
 }  // namespace
 
-Gathered gather(const Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
-                double accuracy, std::uint64_t seed, Progress& progress) {
+Gathered gather(const Solution& solution, const SolutionErrors& errors, std::span<const Point> positions,
+                std::span<const Vector> normals, double accuracy, std::uint64_t seed, Progress& progress) {
   const std::size_t count = positions.size();
-  const Gatherer gatherer(solution, accuracy, seed);
+  const Gatherer gatherer(solution, errors, accuracy, seed);
   std::vector<Point> lifted(count);
   for (std::size_t i = 0; i < count; ++i) lifted[i] = positions[i] + solution.scene().rays->offset_m() * normals[i];
   std::vector<SensorState> states(count);
@@ -336,7 +348,7 @@ Gathered gather(const Solution& solution, std::span<const Point> positions, std:
     parallel_for(batch, [&](std::size_t k) {
       const std::size_t i = first + k;
       const double level = std::max(states[i].mean(), kDarkShare * mean);
-      gatherer.improve(states[i], kSamplingShare * accuracy * level, i, lifted[i], normals[i]);
+      gatherer.improve(states[i], sampling_goal(states[i], accuracy * level), i, lifted[i], normals[i]);
     });
     progress.advance(static_cast<double>(first + batch) / static_cast<double>(count));
   }

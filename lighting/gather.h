@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lighting/solution.h"
+#include "lighting/solution_errors.h"
 #include "mesh/progress.h"
 
 namespace clerestory::lighting {
@@ -19,8 +20,9 @@ struct Gathered {
 /// Evaluates the solution at sensors: emitting surfaces and point sources straight, openings by solid angle, all else over the
 /// cosine-weighted hemisphere, each path once. Samples until the sampling error of every sensor is under its share of the
 /// accuracy, or a cap on rays is met; what remains stands in error_lux.
+/// @param errors              of the solution
 /// @param positions, normals  local coordinates
-Gathered gather(const Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
-                double accuracy, std::uint64_t seed, Progress& progress);
+Gathered gather(const Solution& solution, const SolutionErrors& errors, std::span<const mesh::Point> positions,
+                std::span<const mesh::Vector> normals, double accuracy, std::uint64_t seed, Progress& progress);
 
 }  // namespace clerestory::lighting

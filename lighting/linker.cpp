@@ -198,25 +198,19 @@ bool Linker::holds(const Link& link) const {
 double Linker::strain(const Link& link) const {
   const double most = tolerance(link.receiver);
   if (link.rough) return share_of(most_light(link.receiver, link.source), most);
-  double mean = 0.0;
-  double deviation = 0.0;
-  if (link.source.is_cluster()) {
-    mean = clusters_.radiosity_mean(link.source.cluster());
-    deviation = clusters_.radiosity_deviation(link.source.cluster());
-  } else {
-    mean = solution_.radiosity_mean(link.source.element());
-    deviation = solution_.radiosity_deviation(link.source.element());
-  }
-  // How much the parts of the source differ, counts as far as the receiver sees them under different factors.
+  return share_of(link.error * mean_of(link.source) + uneven_light(link), most);
+}
+
+double Linker::mean_of(LinkSource source) const {
+  return source.is_cluster() ? clusters_.radiosity_mean(source.cluster()) : solution_.radiosity_mean(source.element());
+}
+
+double Linker::uneven_light(const Link& link) const {
+  if (link.source.is_cluster()) return link.factor * clusters_.radiosity_deviation(link.source.cluster());
   const mesh::ElementTree& tree = solution_.tree();
-  const double radius =
-      link.source.is_cluster() ? clusters_.radius(link.source.cluster()) : tree.radius(link.source.element());
-  const Point& centre =
-      link.source.is_cluster() ? clusters_.centre(link.source.cluster()) : tree.centroid(link.source.element());
-  const double distance = std::max(1e-9, norm(centre - tree.centroid(link.receiver)));
-  const double unevenness = link.source.is_cluster() ? 1.0 : std::min(1.0, radius / distance);
-  const double error = link.error * mean + link.factor * deviation * unevenness;
-  return share_of(error, most);
+  const ElementId s = link.source.element();
+  const double distance = std::max(1e-9, norm(tree.centroid(s) - tree.centroid(link.receiver)));
+  return link.factor * solution_.radiosity_deviation(s) * std::min(1.0, tree.radius(s) / distance);
 }
 
 LinkDecision::Kind Linker::split_of(const Link& link) const {
@@ -342,6 +336,7 @@ std::optional<Link> Linker::link_roughly(const LinkCandidate& candidate) const {
   const double ratio = receiver_small ? 1.0 : tree.area(s) / tree.area(r);
   link.factor = static_cast<float>(share * factor * ratio);
   link.error = static_cast<float>(factor * ratio);
+  link.noise = static_cast<float>(visibility_noise(factor * ratio, kFewRays, kFewRays * share));
   return link;
 }
 
@@ -393,6 +388,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.slope_v = static_cast<float>(own_share * own.fit.line.slope_v);
   link.moment_u = static_cast<float>(source_share * sources.fit.line.slope_u);
   link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
+  link.noise = static_cast<float>(visibility_noise(exchange / tree.area(r), small.rays, small.passing));
   // What the line over a piece misses there, by its own places; those of a large piece also miss some of the mean.
   const auto error_over = [&](ElementId piece, double other_area, const View& view, bool is_small) {
     const double unoccluded = exchange / tree.area(piece);
@@ -458,6 +454,7 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
   // Few rays that see nothing prove little: what they may have missed counts as error.
   link.error = static_cast<float>(
       std::max(std::sqrt(std::max(0.0, square - sum * sum) / (rays - 1.0)), unoccluded / (4.0 * rays)));
+  link.noise = link.error;
   link.error += static_cast<float>(unseen_peak(r, sum * tree.area(r), clusters_.area(c)));
   return link;
 }

@@ -42,6 +42,7 @@ struct Link {
   float moment_v = 0.0F;
   float error = 0.0F;       ///< of the factor over the receiver: what the line misses, and the noise of the visibility
   float back_error = 0.0F;  ///< the same of the factor of a mutual link the other way
+  float noise = 0.0F;       ///< the part of the error that the mean over the receiver has
   mesh::Visibility visibility = mesh::Visibility::kPartial;
   bool by_rays = false;  ///< what rays of the receiver ended on, not an estimate of the pair
   bool rough = false;    ///< made of a few rays, because it could not matter with the light there was
@@ -60,6 +61,7 @@ inline Link reversed(const Link& link, const mesh::ElementTree& tree) {
   back.slope_v = link.moment_v * ratio;
   back.moment_u = link.slope_u * ratio;
   back.moment_v = link.slope_v * ratio;
+  back.noise = link.noise * ratio;
   back.error = link.back_error;
   back.back_error = link.error;
   return back;

@@ -66,7 +66,8 @@ class Solver {
     close_hemispheres(solution_, arrivals_);
     iterate();
     add_errors();
-    return {std::move(all_), std::move(clusters_), iterations_, convergence_};
+    SolutionErrors errors(solution_, arrivals_, clusters_, options_.seed);
+    return {std::move(all_), std::move(clusters_), std::move(errors), iterations_, convergence_};
   }
 
  private:
@@ -276,7 +277,8 @@ class Solver {
         direct.slope_v += sky.lux.slope_v;
       }
     }
-    for (const MirroredLight::Noise& noise : mirrored.noise) solution_.add_error(noise.receiver, noise.lux * noise.lux);
+    for (const MirroredLight::Noise& noise : mirrored.noise)
+      solution_.add_error(noise.receiver, noise.lux * noise.lux, 0.0);
     sort_links();
   }
 
@@ -314,21 +316,22 @@ class Solver {
 
   /// The links' errors at their receivers. Errors of different links are independent.
   void add_errors() {
+    const Linker linker(solution_, clusters_, importance_, options_.link_share * options_.accuracy * scale_lux_,
+                        options_.seed);
     for (const Looker& looker : lookers_) {
       const double error = looker.view.estimate(solution_).error_lux;
-      solution_.add_error(looker.root, error * error);
+      solution_.add_error(looker.root, error * error, 0.0);
     }
     for (std::size_t i = 0; i < arrivals_.receivers(); ++i) {
       arrivals_.visit(i, [&](const Link& link) {
-        const double error = link.error * mean_of(link.source);
-        solution_.add_error(link.receiver, error * error);
+        const double mean = linker.mean_of(link.source);
+        const double noise = link.noise * mean;
+        const double misfit = (link.error - link.noise) * mean;
+        // Clusters' places were weighed by how bright they are.
+        const double uneven = link.source.is_cluster() ? 0.0 : linker.uneven_light(link);
+        solution_.add_error(link.receiver, noise * noise + uneven * uneven, misfit * misfit);
       });
     }
-  }
-
-  [[nodiscard]] double mean_of(LinkSource source) const {
-    return source.is_cluster() ? clusters_.radiosity_mean(source.cluster())
-                               : solution_.radiosity_mean(source.element());
   }
 
   void iterate() {

@@ -9,6 +9,7 @@
 #include "lighting/importance.h"
 #include "lighting/links.h"
 #include "lighting/solution.h"
+#include "lighting/solution_errors.h"
 #include "mesh/progress.h"
 
 namespace clerestory::lighting {
@@ -17,6 +18,7 @@ namespace clerestory::lighting {
 struct Transport {
   std::vector<Link> links;  ///< sorted by receiver; openings' links among them
   Clusters clusters;
+  SolutionErrors errors;
   std::size_t iterations = 0;
   double convergence = 0.0;  ///< share of the reflected flux that iterations not made would still change
 };

@@ -93,9 +93,10 @@ double horizontal_illuminance(const Sky& sky) {
   return sky.type == Sky::Type::kNone ? 0.0 : sky.horizontal_illuminance_lux;
 }
 
-void evaluate(const Study& study, const Solution& solution, GridResult& grid, std::uint64_t seed, Progress& progress) {
+void evaluate(const Study& study, const Solution& solution, const SolutionErrors& errors, GridResult& grid,
+              std::uint64_t seed, Progress& progress) {
   const Gathered gathered =
-      gather(solution, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
+      gather(solution, errors, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
   grid.illuminance_lux = gathered.illuminance_lux;
   grid.error_lux = gathered.error_lux;
   const double outside = horizontal_illuminance(study.sky);
@@ -171,12 +172,12 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("gathering", progress);
   for (std::size_t g = 0; g < results.grids.size(); ++g) {
-    evaluate(study, solution, results.grids[g], mesh::hash(seed, g), progress);
+    evaluate(study, solution, transport.errors, results.grids[g], mesh::hash(seed, g), progress);
   }
 
   clock.begin("balancing", progress);
   results.energy = energy_balance(solution, transport, seed);
-  results.surfaces = surface_values(solution);
+  results.surfaces = surface_values(solution, transport.errors);
   results.counts.elements = solution.elements().size();
   results.counts.links = transport.links.size();
   results.counts.iterations = transport.iterations;

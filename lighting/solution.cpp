@@ -31,7 +31,8 @@ void Solution::grow() {
   mean_.resize(n, 0.0F);
   variance_.resize(n, 0.0F);
   deviation_.resize(n, 0.0F);
-  error2_.resize(n, 0.0F);
+  noise2_.resize(n, 0.0F);
+  misfit2_.resize(n, 0.0F);
   closing_.resize(n, kOpen);
   change_.resize(n, 0.0F);
 }
@@ -78,12 +79,6 @@ std::vector<ElementId> Solution::elements() const {
     if (!parent.valid() || is_open(parent)) found.push_back(e);
   }
   return found;
-}
-
-float Solution::element_error(ElementId e) const {
-  float sum = 0.0F;
-  for (; e.valid(); e = tree_.parent(e)) sum += error2_[e.index()];
-  return std::sqrt(sum);
 }
 
 float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t channel, bool with_emission) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -101,9 +102,18 @@ class Solution {
   /// Variance of the radiosity inside a node, lines included.
   [[nodiscard]] float radiosity_variance(mesh::ElementId e) const { return variance_[e.index()]; }
 
-  /// Adds to the squared error of what a node receives [lux²]; element_error() sums its own and its parents' [lux].
-  void add_error(mesh::ElementId e, double squared_lux2) { error2_[e.index()] += static_cast<float>(squared_lux2); }
-  [[nodiscard]] float element_error(mesh::ElementId e) const;
+  /// Adds to the squared error of what a node receives itself [lux²]: of its mean, and of what the line over the node misses elsewhere.
+  void add_error(mesh::ElementId e, double noise2_lux2, double misfit2_lux2) {
+    noise2_[e.index()] += static_cast<float>(noise2_lux2);
+    misfit2_[e.index()] += static_cast<float>(misfit2_lux2);
+  }
+  /// Standard errors of what a node receives itself [lux].
+  [[nodiscard]] float noise(mesh::ElementId e) const { return std::sqrt(noise2_[e.index()]); }
+  [[nodiscard]] float misfit(mesh::ElementId e) const { return std::sqrt(misfit2_[e.index()]); }
+  /// Luminance-weighted reflectance.
+  [[nodiscard]] float mean_reflectance(mesh::ElementId e) const {
+    return luminance(scene_->side_reflectance(tree_.face_side(e)), scene_->channel_weights);
+  }
 
   /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
   [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
@@ -134,7 +144,8 @@ class Solution {
   std::vector<float> mean_;
   std::vector<float> variance_;  ///< inside the node, luminance
   std::vector<float> deviation_;
-  std::vector<float> error2_;
+  std::vector<float> noise2_;
+  std::vector<float> misfit2_;
   std::vector<LinearValue> closing_;
   std::vector<float> change_;  ///< of an element's radiosity in the last push_pull, luminance
 };

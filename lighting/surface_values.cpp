@@ -41,8 +41,11 @@ void triangles_of(const mesh::ElementTree& tree, ElementId e, std::vector<Elemen
 
 class SurfaceWriter {
  public:
-  explicit SurfaceWriter(const Solution& solution)
-      : solution_(solution), tree_(solution.tree()), surface_of_(mesh::smooth_regions(solution.scene().faces)) {
+  SurfaceWriter(const Solution& solution, const SolutionErrors& errors)
+      : solution_(solution),
+        errors_(errors),
+        tree_(solution.tree()),
+        surface_of_(mesh::smooth_regions(solution.scene().faces)) {
     result_.part_names = solution.scene().faces.part_names;
     result_.material_names = solution.scene().faces.material_names;
     for (const mesh::Room& room : solution.scene().rooms.rooms) result_.room_names.push_back(room.name);
@@ -133,7 +136,7 @@ class SurfaceWriter {
     result_.cells.push_back(cell);
     result_.side.push_back(static_cast<std::uint8_t>(side.side));
     result_.illuminance_lux.push_back(lux);
-    result_.error_lux.push_back(solution_.element_error(element));
+    result_.error_lux.push_back(static_cast<float>(errors_.point_error(solution_, element)));
     result_.radiosity_lm_m2.push_back(radiosity);
     result_.luminance_cd_m2.push_back(radiosity / std::numbers::pi_v<float>);
     result_.reflectance.push_back(rho);
@@ -157,6 +160,7 @@ class SurfaceWriter {
   }
 
   const Solution& solution_;
+  const SolutionErrors& errors_;
   const mesh::ElementTree& tree_;
   SurfaceResult result_;
   std::map<std::array<std::int64_t, 4>, std::uint32_t> points_;
@@ -170,6 +174,8 @@ class SurfaceWriter {
 
 }  // namespace
 
-SurfaceResult surface_values(const Solution& solution) { return SurfaceWriter(solution).write(); }
+SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors) {
+  return SurfaceWriter(solution, errors).write();
+}
 
 }  // namespace clerestory::lighting

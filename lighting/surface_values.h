@@ -3,12 +3,14 @@
 
 #include "lighting/results.h"
 #include "lighting/solution.h"
+#include "lighting/solution_errors.h"
 
 namespace clerestory::lighting {
 
 /// The solution as triangles with cell and point values, in model coordinates. Point values are means of the elements of one region of one
 /// face side that meet there, each by its own line; they never reach across a contact, a crease or a material's edge. On a curved part they are means over all elements that meet at a point of
 /// the limit surface where it is smooth: the irradiance of each belongs to its own plane, the mean of them to the limit's.
-SurfaceResult surface_values(const Solution& solution);
+/// @param errors  of the solution
+SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors);
 
 }  // namespace clerestory::lighting

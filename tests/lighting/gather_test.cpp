@@ -21,7 +21,7 @@ Gathered gathered(const test::Solved& solved, const std::vector<Point>& points, 
   std::vector<Point> local;
   for (const Point& p : points) local.push_back(solved.local(p));
   NoProgress nobody;
-  return gather(solved.solution, local, normals, accuracy, 1, nobody);
+  return gather(solved.solution, solved.transport.errors, local, normals, accuracy, 1, nobody);
 }
 
 TEST(Gather, AreaLampInABlackRoomMatchesCie171Case53) {

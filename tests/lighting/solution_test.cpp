@@ -154,15 +154,12 @@ TEST(Solution, RadiosityAtAPointFollowsTheLineAndIsNeverNegative) {
   EXPECT_FLOAT_EQ(s.solution.radiosity_at(ceiling, s.solution.tree().centroid(ceiling), 0, false), 0.0F);
 }
 
-TEST(Solution, ErrorsOfANodeAndItsParentsAddUpAsSquares) {
+TEST(Solution, ErrorsOfANodeAddUpAsSquares) {
   SlopingFloor s;
-  s.solution.open(s.floor);
-  const ElementId child = s.solution.tree().first_child(s.floor);
-  s.solution.add_error(s.floor, 9.0);
-  s.solution.add_error(child, 7.0);
-  s.solution.add_error(child, 9.0);
-  EXPECT_FLOAT_EQ(s.solution.element_error(child), 5.0F);
-  EXPECT_FLOAT_EQ(s.solution.element_error(s.floor), 3.0F);
+  s.solution.add_error(s.floor, 7.0, 1.0);
+  s.solution.add_error(s.floor, 9.0, 3.0);
+  EXPECT_FLOAT_EQ(s.solution.noise(s.floor), 4.0F);
+  EXPECT_FLOAT_EQ(s.solution.misfit(s.floor), 2.0F);
 }
 
 TEST(Solution, ChangeIsTheShareOfFluxThatMoved) {

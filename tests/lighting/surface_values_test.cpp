@@ -35,7 +35,7 @@ Vector area_vector(const SurfaceResult& s, std::size_t cell) {
 
 TEST(SurfaceValues, CellsCoverBothSidesAndArraysAreParallel) {
   const test::Solved solved(furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   const std::size_t n = s.cells.size();
   double area[2] = {0.0, 0.0};
   for (std::size_t i = 0; i < n; ++i) area[s.side[i]] += norm(area_vector(s, i));
@@ -52,14 +52,14 @@ TEST(SurfaceValues, CellsCoverBothSidesAndArraysAreParallel) {
 TEST(SurfaceValues, PointsStandInModelCoordinates) {
   const test::Solved solved(furnace());
   mesh::Box box;
-  for (const Point& p : surface_values(solved.solution).points) box.add(p);
+  for (const Point& p : surface_values(solved.solution, solved.transport.errors).points) box.add(p);
   EXPECT_NEAR(norm(box.low - (Point{} + kShift)), 0.0, 1e-6);
   EXPECT_NEAR(norm(box.high - (Point{4, 5, 3} + kShift)), 0.0, 1e-6);
 }
 
 TEST(SurfaceValues, FrontsLookIntoTheRoomAndBacksOut) {
   const test::Solved solved(furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   const Point middle = Point{2, 2.5, 1.5} + kShift;
   for (std::size_t i = 0; i < s.cells.size(); ++i) {
     const double inwards = dot(middle - s.points[s.cells[i][0]], area_vector(s, i));
@@ -69,7 +69,7 @@ TEST(SurfaceValues, FrontsLookIntoTheRoomAndBacksOut) {
 
 TEST(SurfaceValues, OfTheFurnaceAreItsOwnWithinTheAccuracy) {
   const test::Solved solved(furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   for (std::size_t i = 0; i < s.cells.size(); ++i) {
     const bool front = s.side[i] == 0;
     EXPECT_NEAR(s.illuminance_lux[i], front ? 40.0 : 0.0, 0.8);
@@ -83,7 +83,7 @@ TEST(SurfaceValues, OfTheFurnaceAreItsOwnWithinTheAccuracy) {
 
 TEST(SurfaceValues, NamesBelongToTheCells) {
   const test::Solved solved(furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   for (std::size_t i = 0; i < s.cells.size(); ++i) {
     const std::string& name = s.material_names.at(static_cast<std::size_t>(s.material[i]));
     const double vertical = std::abs(normalized(area_vector(s, i)).z);
@@ -94,7 +94,7 @@ TEST(SurfaceValues, NamesBelongToTheCells) {
 
 TEST(SurfaceValues, PointsAreSharedWithinAFaceAndNeverAcrossItsEdgesOrSides) {
   const test::Solved solved(furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   std::vector<std::set<std::pair<int, std::array<int, 3>>>> users(s.points.size());
   std::size_t shared = 0;
   std::vector<int> count(s.points.size(), 0);
@@ -116,7 +116,7 @@ TEST(SurfaceValues, LightDoesNotCrossAContact) {
   Study study = test::study_of(support::two_rooms_with_thin_wall(), 0.5, {1.5, 2, 1});
   study.point_sources.push_back({.at = {1.5, 2, 2.5}, .intensity_cd = 1000.0});
   const test::Solved solved(study);
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   int lit = 0;
   int dark = 0;
   for (std::size_t i = 0; i < s.cells.size(); ++i) {
@@ -152,7 +152,7 @@ Study ball_in_a_furnace() {
 
 TEST(SurfaceValues, PointsOfACurvedPartLieOnItsLimitSurfaceAndAreSharedBetweenItsFacets) {
   const test::Solved solved(ball_in_a_furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   ASSERT_EQ(s.point_normals.size(), s.points.size());
   std::set<std::uint32_t> points;
   std::size_t cells = 0;
@@ -177,7 +177,7 @@ TEST(SurfaceValues, PointsOfACurvedPartLieOnItsLimitSurfaceAndAreSharedBetweenIt
 TEST(SurfaceValues, FacetsDoNotShowInTheIlluminanceOfACurvedPart) {
   // All that an even furnace shows on any surface is the same; what differs is the solver's error, and no facet.
   const test::Solved solved(ball_in_a_furnace());
-  const SurfaceResult s = surface_values(solved.solution);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   for (std::size_t i = 0; i < s.cells.size(); ++i) {
     if (s.part_names[static_cast<std::size_t>(s.part[i])] != "cage" || s.side[i] != 0) continue;
     for (const std::uint32_t p : s.cells[i]) EXPECT_NEAR(s.point_illuminance_lux[p], 40.0, 2.0);
