@@ -16,32 +16,17 @@ constexpr const char* kElements = "elements.vtp";
 constexpr const char* kLines = "discontinuities.vtp";
 constexpr const char* kSummary = "summary.json";
 
-Json by_order(const mesh::LineSelection::Counts& counts) {
-  return {{"d0", counts[0]}, {"d1", counts[1]}, {"d2", counts[2]}};
-}
-
-Json lines_json(const lighting::MeshedStudy& meshed) {
-  const mesh::LineSelection& selection = meshed.selection;
-  return {{"found", by_order(selection.found)}, {"kept", by_order(selection.kept_count)},
-          {"merged", selection.merged},         {"within_tolerance", selection.light},
-          {"over_cap", selection.over_cap},     {"sources", meshed.lines.source_names.size()}};
-}
-
 Json elements_json(const lighting::MeshedStudy& meshed) {
-  const mesh::MeshReport& report = meshed.report;
-  return {{"cells", meshed.elements.cells.size()},
-          {"triangles", report.triangles},
-          {"min_angle_deg", report.min_angle_deg},
-          {"below_angle_bound", report.small_angles},
-          {"at_small_input_angles", report.small_input_angles},
-          {"line_length_m", report.line_length_m},
-          {"faces_with_fewer_lines", report.faces_with_fewer_lines}};
+  Json json{{"cells", meshed.elements.cells.size()}};
+  json.update(mesh_json(meshed.report));
+  return json;
 }
 
 std::string summary_of(const lighting::MeshedStudy& meshed, const ResultContext& context,
                        const std::vector<std::string>& files) {
-  Json json{{"program", kProgram},        {"version", context.version}, {"status", "done"},
-            {"command", context.command}, {"date", context.date},       {"lines", lines_json(meshed)}};
+  Json json{{"program", kProgram},  {"version", context.version},
+            {"status", "done"},     {"command", context.command},
+            {"date", context.date}, {"lines", shadow_lines_json(meshed.selection, meshed.lines.source_names.size())}};
   if (!meshed.elements.cells.empty()) json["elements"] = elements_json(meshed);
   json["notices"] = without_repeats(meshed.notices);
   if (!context.effective_study.empty()) json["study"] = Json::parse(context.effective_study);

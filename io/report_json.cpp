@@ -67,6 +67,23 @@ Json meetings_json(const mesh::CleanReport& report) {
           {"two_sided_polygons", report.two_sided}};
 }
 
+Json shadow_lines_json(const mesh::LineSelection& selection, std::size_t sources) {
+  const auto by_order = [](const mesh::LineSelection::Counts& counts) {
+    return Json{{"d0", counts[0]}, {"d1", counts[1]}, {"d2", counts[2]}};
+  };
+  return {{"found", by_order(selection.found)},  {"kept", by_order(selection.kept_count)}, {"merged", selection.merged},
+          {"within_tolerance", selection.light}, {"over_cap", selection.over_cap},         {"sources", sources}};
+}
+
+Json mesh_json(const mesh::MeshReport& report) {
+  return {{"triangles", report.triangles},
+          {"min_angle_deg", report.min_angle_deg},
+          {"below_angle_bound", report.small_angles},
+          {"at_small_input_angles", report.small_input_angles},
+          {"line_length_m", report.line_length_m},
+          {"faces_with_fewer_lines", report.faces_with_fewer_lines}};
+}
+
 double rounded(double value) {
   constexpr double kSteps = 1e4;
   return std::round(value * kSteps) / kSteps;

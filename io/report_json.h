@@ -7,6 +7,8 @@
 
 #include "lighting/results.h"
 #include "mesh/clean.h"
+#include "mesh/discontinuity_selection.h"
+#include "mesh/faces.h"
 #include "mesh/rooms.h"
 
 // Private to io/: what summary.json, inspect and clean say in the same words.
@@ -29,6 +31,12 @@ Json defects_json(const mesh::CleanReport& report);
 
 /// What of a model is no defect, though its surfaces share a place: contacts, uncut_crossings, two_sided_polygons.
 Json meetings_json(const mesh::CleanReport& report);
+
+/// found, kept, merged, within_tolerance, over_cap, sources.
+Json shadow_lines_json(const mesh::LineSelection& selection, std::size_t sources);
+
+/// triangles, their angles, and what lines they follow.
+Json mesh_json(const mesh::MeshReport& report);
 
 /// To a tenth of a millimetre, or of a square decimetre: more is noise.
 double rounded(double value);

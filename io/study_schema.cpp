@@ -381,6 +381,21 @@ constexpr StudyKey kKeys[] = {
      .high = 100.0,
      .words = "auto"},
 
+    {.path = "mesh", .type = kTable, .meaning = "The elements of the surfaces."},
+    {.path = "mesh.discontinuities",
+     .type = kWord,
+     .fallback = "\"auto\"",
+     .meaning =
+         "Whether the edges of shadows are edges of the elements that are shown: the lines that matter (auto), or none "
+         "(off). Sensors are the same with both.",
+     .words = "auto off"},
+    {.path = "mesh.max_elements",
+     .type = kInteger,
+     .fallback = "1000000",
+     .meaning = "The budget of elements. Refinement stops there, and the summary says so.",
+     .low = 1000.0,
+     .high = 1e8},
+
     {.path = "accuracy", .type = kTable, .meaning = "How good the result must be."},
     {.path = "accuracy.target",
      .type = kShare,

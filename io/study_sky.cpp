@@ -42,6 +42,12 @@ void read_sky_table(StudyValue& root, lighting::Study& study) {
   study.sky.ground_reflectance = number_or(table, "ground_reflectance", 0.2);
 }
 
+void read_mesh_table(const StudyValue& root, lighting::Study& study) {
+  const StudyValue& table = *root.find("mesh");
+  study.mesh.discontinuities = text_or(table, "discontinuities", "auto") != "off";
+  study.mesh.max_elements = static_cast<std::size_t>(table.find("max_elements")->number);
+}
+
 void read_accuracy_table(StudyValue& root, lighting::Study& study) {
   StudyValue& target = *root.find("accuracy")->find("target");
   if (target.kind == StudyValue::Kind::kText) {

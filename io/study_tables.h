@@ -43,6 +43,9 @@ void read_sky_table(StudyValue& root, lighting::Study& study);
 /// and sensor files at fault.
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
 
+/// [mesh].
+void read_mesh_table(const StudyValue& root, lighting::Study& study);
+
 /// [accuracy]. A share in per cent becomes a number, in the tree too.
 void read_accuracy_table(StudyValue& root, lighting::Study& study);
 

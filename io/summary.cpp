@@ -124,6 +124,11 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["grids"] = grid_summaries(results.grids);
   json["energy_balance"] = energy_balance(results.energy);
   json["counts"] = counts(results.counts);
+  if (results.shadow_lines) {
+    const lighting::ShadowLines& shadows = *results.shadow_lines;
+    json["shadow_lines"] = shadow_lines_json(shadows.selection, shadows.lines.source_names.size());
+    json["shadow_lines"]["mesh"] = mesh_json(shadows.mesh);
+  }
   json.update(times(results, figures));
   json["parts"] = results.surfaces.part_names;
   json["materials"] = materials_json(results.materials);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kSurfaces = "surfaces.vtp";
+constexpr const char* kLines = "discontinuities.vtp";
 constexpr const char* kLeaks = "leaks.vtp";
 constexpr const char* kCollection = "result.vtm";
 
@@ -64,6 +65,10 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
   write_surfaces_vtp(output.add(kSurfaces), results, context);
   progress.advance(++step / steps);
   output.collection.push_back({"surfaces", kSurfaces});
+  if (results.shadow_lines) {
+    write_discontinuities_vtp(output.add(kLines), results.shadow_lines->lines, context);
+    output.collection.push_back({"discontinuities", kLines});
+  }
   if (has_leaks(results)) {
     write_leaks_vtp(output.add(kLeaks), results, context);
     output.collection.push_back({"leaks", kLeaks});
@@ -75,6 +80,7 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
 
 std::vector<std::string> result_names(const lighting::Study& study, const std::filesystem::path& file) {
   std::vector<std::string> names = {kSummary, kSurfaces, kCollection};
+  if (study.mesh.discontinuities) names.emplace_back(kLines);
   for (const lighting::GridRequest& grid : study.grids) {
     if (grid.by_room) continue;  // named after rooms that are not known yet
     expect_usable_as_file_name(grid.name, file);

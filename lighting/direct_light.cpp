@@ -58,12 +58,18 @@ std::vector<DirectSurvey> survey_all(Solution& solution, const DirectSampler& sa
   return accepted;
 }
 
-void accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurement& measured) {
-  const ElementId e = survey.below.node;
+NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurement& measured) {
+  NodeDirect node;
+  node.node = survey.below.node;
+  node.openings = survey.below.openings;
+  node.minor = survey.below.minor;
+  node.open_sky = survey.below.open_sky;
   const LinearValue slope = survey.relative_slope();
   const auto received = static_cast<float>(measured.received);
-  for (LinearValue& v : solution.direct(e)) v = {received, received * slope.slope_u, received * slope.slope_v};
-  solution.add_error(e, measured.noise * measured.noise, survey.fit.residual * survey.fit.residual);
+  node.received = {received, received * slope.slope_u, received * slope.slope_v};
+  for (LinearValue& v : solution.direct(node.node)) v = node.received;
+  solution.add_error(node.node, measured.noise * measured.noise, survey.fit.residual * survey.fit.residual);
+  return node;
 }
 
 }  // namespace
@@ -78,7 +84,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   std::vector<DirectMeasurement> measured(accepted.size());
   parallel_for(accepted.size(), [&](std::size_t i) { measured[i] = sampler.measure(accepted[i]); });
   for (std::size_t i = 0; i < accepted.size(); ++i) {
-    accept(solution, accepted[i], measured[i]);
+    result.nodes.push_back(accept(solution, accepted[i], measured[i]));
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
         links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());

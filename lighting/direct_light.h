@@ -11,8 +11,18 @@
 
 namespace clerestory::lighting {
 
+/// What a node was given by light_directly(), and what it looked at. The nodes are no parts of each other.
+struct NodeDirect {
+  mesh::ElementId node;
+  std::vector<std::uint32_t> openings;  ///< through which it may be lit
+  std::vector<std::uint32_t> minor;     ///< others, through which it may be lit so little that it hardly matters
+  bool open_sky = false;                ///< whether it may see the sky by no opening
+  LinearValue received;                 ///< [lux]
+};
+
 /// What light_directly() gives besides the direct light that it leaves in the solution.
 struct DirectLight {
+  std::vector<NodeDirect> nodes;
   /// Factors of the elements that nodes see through openings. They partition with the ordinary links: visibility stops there where a
   /// segment leaves through an opening.
   std::vector<Link> links;

@@ -25,8 +25,10 @@ namespace {
 
 /// Edges that turn by less are one edge [rad].
 constexpr double kStraight = 1e-6;
-/// Critical surfaces of a source that are traced: some two CPU seconds in a house with furniture.
-constexpr std::size_t kMostCriticalSurfaces = 20000;
+/// Critical surfaces that are traced of any source, however weak.
+constexpr std::size_t kLeastCriticalSurfaces = 200;
+/// Size of elements where no solution tells [m].
+constexpr double kUnsolvedSizeM = 0.5;
 
 /// The corners of a face's loops, without those between edges in line.
 std::vector<std::vector<Point>> outline_of(const mesh::Faces& faces, mesh::FaceId face) {
@@ -122,24 +124,79 @@ double area_of(const ShadowSource& source) {
 
 /// The share of a source that comes out from behind the occluder per metre across the line [1/m]. Behind what stands outdoors moves the
 /// sky, as seen through the opening.
-double uncovering(const mesh::DiscontinuityLine& line, const ShadowSource& source) {
-  const double width = std::sqrt(area_of(source));
-  if (std::isinf(line.source_distance_m)) return 1.0 / width;
-  return line.source_distance_m / (std::max(line.receiver_distance_m, 1e-9) * width);
+double uncovering(const mesh::DiscontinuityLine& line, double source_width) {
+  if (std::isinf(line.source_distance_m)) return 1.0 / source_width;
+  return line.source_distance_m / (std::max(line.receiver_distance_m, 1e-9) * source_width);
 }
 
-/// What an interpolation across the line misses, as a share of the illuminance there.
-double missed_share(const SceneLines& found, const Scene& scene, const mesh::DiscontinuityLine& line, double size) {
-  const Point at = midpoint(line.ends[0], line.ends[1]);
+/// The share of a source that a strip as wide as the occluder covers, seen from the line: a mullion hides little of a lamp.
+double coverable(const mesh::DiscontinuityLine& line, double source_width, double occluder_width) {
+  if (std::isinf(line.source_distance_m)) return 1.0;
+  const double shadow = occluder_width * (line.source_distance_m + line.receiver_distance_m);
+  return shadow / (std::max(line.receiver_distance_m, 1e-9) * source_width);
+}
+
+/// Twice the area over the perimeter: half the side of a square, the width of a strip.
+double width_of(const mesh::Faces& faces, mesh::FaceId id) {
+  const mesh::Face& face = faces.faces[id.index()];
+  double perimeter = 0.0;
+  for (const auto& loop : face.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      perimeter += norm(faces.shape.vertices[loop[(i + 1) % loop.size()]] - faces.shape.vertices[loop[i]]);
+    }
+  }
+  return perimeter > 0.0 ? 2.0 * face.area_m2 / perimeter : std::sqrt(face.area_m2);
+}
+
+double extent_of(const mesh::Faces& faces, mesh::FaceId id, const Vector& across) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& loop : faces.faces[id.index()].loops) {
+    for (const std::uint32_t vertex : loop) {
+      const double at = dot(faces.shape.vertices[vertex] - Point{}, across);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+  }
+  return high - low;
+}
+
+/// What light and elements are like at a line where there is no solution.
+LineSurroundings unsolved(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line,
+                          const Vector& across) {
   const Vector& front = scene.faces.faces[line.face.index()].frame.w;
   const Vector normal = line.side == mesh::Side::kFront ? front : -front;
-  double total = 0.0;
-  for (std::size_t i = 0; i < found.sources.sources.size(); ++i) total += unoccluded(found.sources, i, at, normal);
-  const double own = unoccluded(found.sources, line.source, at, normal);
-  if (total <= 0.0) return 0.0;
-  if (line.order == 0) return own / total;
-  const double share = uncovering(line, found.sources.sources[line.source]) * size;
-  return own / total * std::min(1.0, line.order == 1 ? share : 0.5 * share * share);
+  LineSurroundings result;
+  result.element_size_m = std::min(kUnsolvedSizeM, extent_of(scene.faces, line.face, across));
+  for (std::size_t i = 0; i < sources.sources.size(); ++i) {
+    result.illuminance_lux += unoccluded(sources, i, midpoint(line.ends[0], line.ends[1]), normal);
+  }
+  return result;
+}
+
+/// What an interpolation over elements of a size misses at a line, as a share of the light there that is tolerated.
+mesh::WeighedLine weigh(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line,
+                        const LineOptions& options) {
+  const Vector& front = scene.faces.faces[line.face.index()].frame.w;
+  mesh::WeighedLine weighed;
+  weighed.across = cross(front, normalized(line.ends[1] - line.ends[0]));
+  const LineSurroundings around = options.surroundings ? options.surroundings(line, weighed.across)
+                                                       : unsolved(scene, sources, line, weighed.across);
+  weighed.size_m = around.element_size_m;
+  const double own = unoccluded(sources, line.source, midpoint(line.ends[0], line.ends[1]),
+                                line.side == mesh::Side::kFront ? front : -front);
+  const double all = around.illuminance_lux > 0.0 ? own / (around.illuminance_lux * options.tolerance) : 0.0;
+  const double width = std::sqrt(area_of(sources.sources[line.source]));
+  const double most = std::min(1.0, coverable(line, width, width_of(scene.faces, line.occluder)));
+  const double rate = uncovering(line, width);
+  if (line.order == 0) {
+    weighed.missed = [all](double) { return all; };
+  } else if (line.order == 1) {
+    weighed.missed = [all, most, rate](double size) { return all * std::min(most, rate * size); };
+  } else {
+    weighed.missed = [all, most, rate](double size) { return all * std::min(most, 0.5 * rate * rate * size * size); };
+  }
+  return weighed;
 }
 
 void tell(SceneLines& found, std::size_t stopped) {
@@ -177,16 +234,19 @@ ShadowSources shadow_sources(const Scene& scene, std::size_t most) {
   return result;
 }
 
-SceneLines find_discontinuities(const Scene& scene, double tolerance, double element_size_m) {
+SceneLines find_discontinuities(const Scene& scene, const LineOptions& options) {
   SceneLines result;
-  result.sources = shadow_sources(scene);
-  const mesh::DiscontinuityFinder finder(scene.faces, {.passable = scene.passable,
-                                                       .receives = scene.has_elements,
-                                                       .most_critical_surfaces = kMostCriticalSurfaces,
-                                                       .rays = scene.rays.get()});
-  std::vector<mesh::FoundLines> of_source(result.sources.sources.size());
+  result.sources = shadow_sources(scene, options.most_sources);
+  const std::vector<ShadowSource>& sources = result.sources.sources;
+  double power = 0.0;
+  for (const ShadowSource& source : sources) power += source.power;
+  std::vector<mesh::FoundLines> of_source(sources.size());
+  const mesh::DiscontinuityFinder finder(
+      scene.faces, {.passable = scene.passable, .receives = scene.has_elements, .rays = scene.rays.get()});
   parallel_for(of_source.size(), [&](std::size_t i) {
-    of_source[i] = finder.find(result.sources.sources[i], static_cast<std::uint32_t>(i));
+    const double share = static_cast<double>(options.most_critical_surfaces) * sources[i].power / power;
+    of_source[i] = finder.find(sources[i], static_cast<std::uint32_t>(i),
+                               std::max(kLeastCriticalSurfaces, static_cast<std::size_t>(share)));
   });
   std::vector<mesh::DiscontinuityLine> all;
   std::size_t stopped = 0;
@@ -195,16 +255,29 @@ SceneLines find_discontinuities(const Scene& scene, double tolerance, double ele
     result.no_sky.insert(result.no_sky.end(), found.no_sky.begin(), found.no_sky.end());
     if (found.stopped) ++stopped;
   }
-  std::vector<double> missed(all.size());
+  std::vector<mesh::WeighedLine> weighed(all.size());
   parallel_for(
-      all.size(), [&](std::size_t i) { missed[i] = missed_share(result, scene, all[i], element_size_m); }, 64);
-  const mesh::DiscontinuityLine* const first = all.data();
-  result.selection = mesh::select_lines(all, [&](const mesh::DiscontinuityLine& line) {
-    return missed[static_cast<std::size_t>(&line - first)] / tolerance;
-  });
+      all.size(), [&](std::size_t i) { weighed[i] = weigh(scene, result.sources, all[i], options); }, 64);
+  result.selection = mesh::select_lines(all, weighed, {.most = options.most_lines});
   for (const std::uint32_t i : result.selection.kept) result.lines.push_back(all[i]);
   tell(result, stopped);
   return result;
+}
+
+ElementLines element_lines(const Scene& scene, const SceneLines& found) {
+  ElementLines lines;
+  for (const mesh::DiscontinuityLine& line : found.lines) {
+    lines.ends.push_back({line.ends[0] + scene.faces.origin, line.ends[1] + scene.faces.origin});
+    lines.order.push_back(line.order);
+    lines.no_sky.push_back(line.no_sky ? 1 : 0);
+    lines.side.push_back(static_cast<std::uint8_t>(line.side));
+    lines.source.push_back(static_cast<std::int32_t>(line.source));
+    lines.occluder.push_back(static_cast<std::int32_t>(scene.faces.faces[line.occluder.index()].part.value));
+    lines.part.push_back(static_cast<std::int32_t>(scene.faces.faces[line.face.index()].part.value));
+  }
+  lines.source_names = found.sources.names;
+  lines.part_names = scene.faces.part_names;
+  return lines;
 }
 
 }  // namespace clerestory::lighting

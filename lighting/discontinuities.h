@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "lighting/results.h"
 #include "lighting/scene.h"
 #include "mesh/discontinuity_lines.h"
 #include "mesh/discontinuity_selection.h"
@@ -22,7 +25,7 @@ struct ShadowSources {
 };
 
 /// Openings, surfaces that shine, and point sources, by the power that they send into the scene.
-ShadowSources shadow_sources(const Scene& scene, std::size_t most = 64);
+ShadowSources shadow_sources(const Scene& scene, std::size_t most);
 
 /// The lines of discontinuity of a scene.
 struct SceneLines {
@@ -33,12 +36,30 @@ struct SceneLines {
   std::vector<std::string> notices;
 };
 
-/// Finds the lines of all sources and keeps those across which an interpolation over elements of this size would miss more than
-/// the tolerance: for a line of order k, |jump of the k-th derivative| · h^k / k! against tolerance × local illuminance. The jump is
-/// estimated from the source's unoccluded illuminance at the middle of the line, and from how fast the occluder uncovers it. What
-/// the sources give there together, unoccluded, stands for the local illuminance.
-/// @param tolerance       as a share of the illuminance
-/// @param element_size_m  h, of elements where no line is
-SceneLines find_discontinuities(const Scene& scene, double tolerance, double element_size_m = 0.5);
+/// How elements and light would be at a line if it were not in the mesh.
+struct LineSurroundings {
+  double element_size_m = 0.0;   ///< across the line
+  double illuminance_lux = 0.0;  ///< by all light; what may be missed is a share of it
+};
+
+struct LineOptions {
+  double tolerance = 0.02;  ///< share of the illuminance that may be missed
+  /// Of a line; `across` is a unit vector in the plane of the face and at right angles to the line. Empty where there is no solution: then
+  /// elements are as large as the face, half a metre at most, and the light is that of all sources, unoccluded.
+  std::function<LineSurroundings(const mesh::DiscontinuityLine&, const mesh::Vector& across)> surroundings;
+  std::size_t most_sources = 64;                                     ///< the strongest
+  std::size_t most_lines = std::numeric_limits<std::size_t>::max();  ///< in all
+  /// Traced in all; each source gets its share by power, so that the strongest are complete longest.
+  std::size_t most_critical_surfaces = 200000;
+};
+
+/// Finds the lines of all sources and keeps those across which an interpolation would miss more than the tolerance: for a line of order k,
+/// |jump of the k-th derivative| · h^k / k! against tolerance × local illuminance, h the size of the elements there without the line. The
+/// jump is estimated from the source's unoccluded illuminance at the middle of the line, from how fast the occluder uncovers the source,
+/// and from how much of it the occluder can cover.
+SceneLines find_discontinuities(const Scene& scene, const LineOptions& options);
+
+/// The lines kept, as they are written.
+ElementLines element_lines(const Scene& scene, const SceneLines& found);
 
 }  // namespace clerestory::lighting

@@ -23,22 +23,6 @@ namespace {
 /// Longest edge of the start elements [m]: as in a run, where the solver splits them on.
 constexpr double kStartSizeM = 1e9;
 
-ElementLines lines_of(const Scene& scene, const SceneLines& found) {
-  ElementLines lines;
-  for (const mesh::DiscontinuityLine& line : found.lines) {
-    lines.ends.push_back({line.ends[0] + scene.faces.origin, line.ends[1] + scene.faces.origin});
-    lines.order.push_back(line.order);
-    lines.no_sky.push_back(line.no_sky ? 1 : 0);
-    lines.side.push_back(static_cast<std::uint8_t>(line.side));
-    lines.source.push_back(static_cast<std::int32_t>(line.source));
-    lines.occluder.push_back(static_cast<std::int32_t>(scene.faces.faces[line.occluder.index()].part.value));
-    lines.part.push_back(static_cast<std::int32_t>(scene.faces.faces[line.face.index()].part.value));
-  }
-  lines.source_names = found.sources.names;
-  lines.part_names = scene.faces.part_names;
-  return lines;
-}
-
 /// Longest edge and least angle of a triangle.
 std::array<float, 2> shape_of(const std::array<Point, 3>& c) {
   double longest = 0.0;
@@ -105,9 +89,11 @@ MeshedStudy mesh_study(const Study& study, bool lines_only, Progress& progress) 
   progress.phase("cleaning the model");
   const Scene scene = build_scene(study, &progress);
   progress.phase("shadow lines");
-  const SceneLines found = find_discontinuities(scene, study.accuracy.target);
+  LineOptions line_options;
+  line_options.tolerance = study.accuracy.target;
+  const SceneLines found = find_discontinuities(scene, line_options);
   MeshedStudy result;
-  result.lines = lines_of(scene, found);
+  result.lines = element_lines(scene, found);
   result.selection = found.selection;
   result.notices = scene.notices;
   result.notices.insert(result.notices.end(), found.notices.begin(), found.notices.end());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lighting/results.h"
 #include "lighting/study.h"
 #include "mesh/discontinuity_selection.h"
 #include "mesh/faces.h"
@@ -30,19 +31,6 @@ struct ElementMesh {
   std::vector<std::uint8_t> shade;   ///< mesh::Shade: 0 faces no source, 1 lit, 2 penumbra, 3 umbra
   std::vector<std::string> part_names;
   std::vector<std::string> material_names;
-};
-
-/// The lines of discontinuity in it; model coordinates [m].
-struct ElementLines {
-  std::vector<std::array<mesh::Point, 2>> ends;
-  std::vector<std::uint8_t> order;
-  std::vector<std::uint8_t> no_sky;
-  std::vector<std::uint8_t> side;
-  std::vector<std::int32_t> source;    ///< index into source_names
-  std::vector<std::int32_t> occluder;  ///< part
-  std::vector<std::int32_t> part;      ///< on which it lies
-  std::vector<std::string> source_names;
-  std::vector<std::string> part_names;
 };
 
 struct MeshedStudy {

@@ -4,10 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesh/clean.h"
+#include "mesh/discontinuity_selection.h"
+#include "mesh/faces.h"
 #include "mesh/geometry.h"
 #include "mesh/rooms.h"
 
@@ -52,6 +55,8 @@ struct GridResult {
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;                ///< standard uncertainty, k = 1
   std::vector<float> daylight_factor_percent;  ///< empty unless a daylight study
+  /// Where in the plane of the sensors the sky just goes out of sight by an opening [m, model coordinates].
+  std::vector<std::array<mesh::Point, 2>> no_sky;
   GridMetrics metrics;
 };
 
@@ -97,11 +102,32 @@ struct PhaseTime {
   double wall_s = 0.0;
 };
 
+/// The lines of discontinuity that are edges of a mesh; model coordinates [m]. Arrays by line.
+struct ElementLines {
+  std::vector<std::array<mesh::Point, 2>> ends;
+  std::vector<std::uint8_t> order;
+  std::vector<std::uint8_t> no_sky;
+  std::vector<std::uint8_t> side;
+  std::vector<std::int32_t> source;    ///< index into source_names
+  std::vector<std::int32_t> occluder;  ///< part
+  std::vector<std::int32_t> part;      ///< on which it lies
+  std::vector<std::string> source_names;
+  std::vector<std::string> part_names;
+};
+
+/// Lines of discontinuity in the mesh of what is shown.
+struct ShadowLines {
+  ElementLines lines;
+  mesh::LineSelection selection;
+  mesh::MeshReport mesh;  ///< of the faces with lines
+};
+
 /// Everything that a run found. What io writes.
 struct Results {
   std::vector<GridResult> grids;
   SurfaceResult surfaces;
-  std::vector<mesh::Room> rooms;  ///< boxes and openings in model coordinates
+  std::optional<ShadowLines> shadow_lines;  ///< where they were asked for
+  std::vector<mesh::Room> rooms;            ///< boxes and openings in model coordinates
   EnergyBalance energy;
   mesh::CleanReport clean;
   struct Counts {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 #include <memory>
+#include <utility>
 
 #include "lighting/direct_light.h"
 #include "lighting/energy.h"
@@ -14,6 +15,8 @@
 #include "lighting/parallel.h"
 #include "lighting/radiosity.h"
 #include "lighting/scene.h"
+#include "lighting/shadow_mesh.h"
+#include "lighting/straight_light.h"
 #include "lighting/surface_values.h"
 #include "mesh/element_tree.h"
 #include "mesh/hash.h"
@@ -25,6 +28,8 @@ namespace {
 /// Error at the sensors that one node's direct light may cause, as a share of the accuracy: many such errors, of either sign, add up.
 /// Measured on the validation scenes.
 constexpr double kDirectShare = 0.002;
+/// Rays towards a source from a point in its shadow, times the accuracy: 32 at 2 %.
+constexpr double kShadowRays = 0.64;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -109,6 +114,32 @@ void evaluate(const Study& study, const Solution& solution, const SolutionErrors
   grid.metrics = grid_metrics(grid, study.accuracy.target);
 }
 
+/// Where the sky goes out of sight in the plane of a grid's sensors, which lie in one.
+void draw_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult& grid) {
+  if (grid.sensors.cells.empty()) return;
+  const mesh::Point at = grid.sensors.positions.front() - origin;
+  for (const mesh::NoSkySurface& surface : found.no_sky) {
+    const auto cut = mesh::cut_by_plane(surface, at, grid.sensors.normals.front());
+    if (cut) grid.no_sky.push_back({(*cut)[0] + origin, (*cut)[1] + origin});
+  }
+}
+
+/// The surfaces, with the lines of discontinuity in their mesh where these are asked for.
+void show_surfaces(const Study& study, const Solution& solution, const Transport& transport, DirectLight direct,
+                   double scale_lux, Results& results) {
+  if (!study.mesh.discontinuities) {
+    results.surfaces = surface_values(solution, transport.errors);
+    return;
+  }
+  const Scene& scene = solution.scene();
+  const ShadowMesh shadows = shadow_mesh(solution, study.accuracy.target, scale_lux, study.mesh.max_elements);
+  const auto rays = static_cast<std::uint32_t>(std::clamp(kShadowRays / study.accuracy.target, 4.0, 1024.0));
+  const StraightLight straight(solution, std::move(direct), transport.links, rays);
+  results.surfaces = surface_values(solution, transport.errors, shadows, straight);
+  results.shadow_lines = {element_lines(scene, shadows.found), shadows.found.selection, shadows.report};
+  for (GridResult& grid : results.grids) draw_no_sky(shadows.found, scene.faces.origin, grid);
+}
+
 void conclude(const Study& study, const Scene& scene, Results& results) {
   results.rooms = rooms_in_model(scene);
   results.clean = scene.clean_report;
@@ -167,6 +198,7 @@ Results run(const Study& study, Progress& progress) {
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
 
   clock.begin("linking", progress);
+  DirectLight given = direct;
   const Transport transport =
       solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
 
@@ -177,10 +209,12 @@ Results run(const Study& study, Progress& progress) {
 
   clock.begin("balancing", progress);
   results.energy = energy_balance(solution, transport, seed);
-  results.surfaces = surface_values(solution, transport.errors);
   results.counts.elements = solution.elements().size();
   results.counts.links = transport.links.size();
   results.counts.iterations = transport.iterations;
+
+  clock.begin("shadows", progress);
+  show_surfaces(study, solution, transport, std::move(given), importance.mean_lux(), results);
   conclude(study, scene, results);
   clock.end();
   return results;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,6 +47,12 @@ struct Accuracy {
   std::uint64_t seed = 0;  ///< of the low-discrepancy points' scrambling
 };
 
+/// The mesh of the surfaces.
+struct MeshRequest {
+  bool discontinuities = true;           ///< lines of discontinuity are edges of what is shown
+  std::size_t max_elements = 1'000'000;  ///< refinement stops there, whatever the accuracy
+};
+
 /// A study in memory: what io reads, and what run() answers.
 struct Study {
   enum class Kind { kIlluminance, kDaylight };
@@ -61,6 +68,7 @@ struct Study {
   std::vector<GridRequest> grids;
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;
+  MeshRequest mesh;
   std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each
 };
 

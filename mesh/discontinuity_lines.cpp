@@ -55,7 +55,8 @@ DiscontinuityFinder::~DiscontinuityFinder() = default;
 DiscontinuityFinder::DiscontinuityFinder(DiscontinuityFinder&&) noexcept = default;
 DiscontinuityFinder& DiscontinuityFinder::operator=(DiscontinuityFinder&&) noexcept = default;
 
-FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t number) const {
+FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t number,
+                                     std::size_t most_critical_surfaces) const {
   FoundLines found;
   std::vector<TracedPiece> pieces;
   const auto follow = [&](const Wedge& wedge) {
@@ -70,7 +71,7 @@ FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t n
   };
   std::optional<SeenEdges> seen;
   if (data_->options.rays != nullptr) seen = seen_edges(data_->occluders, source, *data_->options.rays);
-  const WedgeLimit limit{data_->options.most_critical_surfaces, seen ? &*seen : nullptr};
+  const WedgeLimit limit{most_critical_surfaces, seen ? &*seen : nullptr};
   found.stopped = !for_each_wedge(data_->occluders, source, limit, follow);
   return found;
 }

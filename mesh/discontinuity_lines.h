@@ -26,7 +26,7 @@ struct DiscontinuityLine {
   std::uint8_t order = 2;
   bool no_sky = false;       ///< where a window's head just hides what sky shows above a roof line opposite
   std::uint32_t source = 0;  ///< as the caller numbers it
-  FaceId occluder{};         ///< a face at the edge or corner that casts the shadow
+  FaceId occluder{};         ///< the largest face at the edge, or one at the corner, that casts the shadow
   /// Along the middle of the lines of light that end here: from the source to where they touch the occluder, infinite for the sun and for
   /// the sky beyond what stands outdoors; and from there to the face [m].
   double source_distance_m = 0.0;
@@ -45,9 +45,8 @@ struct FoundLines {
 };
 
 struct DiscontinuityOptions {
-  std::span<const std::uint8_t> passable;       ///< [faces] non-zero for faces that light passes; empty: all are opaque
-  std::span<const std::uint8_t> receives;       ///< [2 a face] non-zero for sides whose lines are wanted; empty: all
-  std::size_t most_critical_surfaces = 200000;  ///< of a source
+  std::span<const std::uint8_t> passable;  ///< [faces] non-zero for faces that light passes; empty: all are opaque
+  std::span<const std::uint8_t> receives;  ///< [2 a face] non-zero for sides whose lines are wanted; empty: all
   /// Where given, edges past which none of some sample rays from the source gets are left out: in a building most lie behind walls.
   const Rays* rays = nullptr;
 };
@@ -65,7 +64,9 @@ class DiscontinuityFinder {
 
   /// The lines of one source, in a fixed order. Several critical surfaces lie in one plane where edges are parallel, and then their
   /// lines overlap. Thread-safe.
-  [[nodiscard]] FoundLines find(const ShadowSource& source, std::uint32_t number) const;
+  /// @param most_critical_surfaces  that are traced
+  [[nodiscard]] FoundLines find(const ShadowSource& source, std::uint32_t number,
+                                std::size_t most_critical_surfaces = 200000) const;
 
  private:
   struct Data;

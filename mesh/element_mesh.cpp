@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -29,6 +30,8 @@ constexpr double kOnEdge = 1e-9;
 /// some 5 and 4; beyond this the input has features too close for the angle bound.
 constexpr std::size_t kVerticesPerInput = 100;
 constexpr double kVerticesPerElement = 40.0;
+/// … and so many more where sizes are given place by place.
+constexpr std::size_t kVerticesBySize = 20000;
 
 /// One face in its plane; points are numbered as triangles first use them.
 PlanarMesh in_plane(const Faces& faces, FaceId id) {
@@ -49,15 +52,20 @@ PlanarMesh in_plane(const Faces& faces, FaceId id) {
   return mesh;
 }
 
+/// The longest edge of an element at a point of a face's plane [m]; may be empty.
+using SizeInPlane = std::function<double(const Point2&)>;
+
 /// The mesh of a face within the bounds; nothing where details are too fine for them (a frame of 6 mm round a wall of 10 m: every
 /// edge would be split to that width, whatever the angle bound).
-std::optional<PlanarMesh> refined(const PlanarMesh& coarse, double area, const MeshOptions& options) {
+std::optional<PlanarMesh> refined(const PlanarMesh& coarse, double area, const SizeInPlane& size_at,
+                                  const MeshOptions& options) {
   RefineOptions refinement;
+  refinement.max_edge_at = size_at;
   refinement.max_edge = options.max_size_m;
   refinement.min_angle_deg = options.min_angle_deg;
   const double elements = area / (options.max_size_m * options.max_size_m);
-  refinement.max_vertices =
-      1000 + kVerticesPerInput * coarse.points.size() + static_cast<std::size_t>(kVerticesPerElement * elements);
+  refinement.max_vertices = 1000 + kVerticesPerInput * coarse.points.size() +
+                            static_cast<std::size_t>(kVerticesPerElement * elements) + (size_at ? kVerticesBySize : 0);
   return refine(coarse, refinement);
 }
 
@@ -69,14 +77,14 @@ struct FaceMesh {
 
 /// Where the lines are too fine the mesh is one without them; where the face is, it keeps its coarse triangles.
 FaceMesh mesh_face(const PlanarMesh& shape, double area, std::span<const std::array<Point2, 2>> lines,
-                   const MeshOptions& options, MeshReport& report) {
+                   const SizeInPlane& size_at, const MeshOptions& options, MeshReport& report) {
   FaceMesh face{with_lines(shape, lines, options.line_distance_m), {}};
-  std::optional<PlanarMesh> fine = refined(face.coarse.mesh, area, options);
+  std::optional<PlanarMesh> fine = refined(face.coarse.mesh, area, size_at, options);
   bool all_in = face.coarse.left_out == 0;
   if (!fine && !lines.empty()) {
     all_in = false;
     face.coarse = with_lines(shape, {}, options.line_distance_m);
-    fine = refined(face.coarse.mesh, area, options);
+    fine = refined(face.coarse.mesh, area, size_at, options);
   }
   if (!all_in) ++report.faces_with_fewer_lines;
   face.fine = fine ? std::move(*fine) : face.coarse.mesh;
@@ -197,12 +205,18 @@ Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshRep
   MeshReport told;
   const auto by_face = lines_by_face(faces, options.lines);
   for (std::size_t f = 0; f < faces.count(); ++f) {
+    if (options.lined_only && by_face[f].empty()) {
+      result.starts.push_back(static_cast<std::uint32_t>(result.triangles.size()));
+      continue;
+    }
     const PlaneCoordinates plane{faces.faces[f].origin, faces.faces[f].frame};
+    SizeInPlane size_at;
+    if (options.size_at) size_at = [&](const Point2& p) { return options.size_at(FaceId(f), plane.lift(p)); };
     std::vector<std::array<Point2, 2>> lines;
     for (const std::uint32_t i : by_face[f]) {
       lines.push_back({plane.project(options.lines[i].ends[0]), plane.project(options.lines[i].ends[1])});
     }
-    const FaceMesh face = mesh_face(in_plane(faces, FaceId(f)), faces.faces[f].area_m2, lines, options, told);
+    const FaceMesh face = mesh_face(in_plane(faces, FaceId(f)), faces.faces[f].area_m2, lines, size_at, options, told);
     told.lines += lines.size();
     told.lines_merged += face.coarse.merged;
     told.line_length_m += face.coarse.length_m;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -95,6 +96,9 @@ struct MeshOptions {
   double max_size_m = 4.0;            ///< longest edge of an element
   double min_angle_deg = 20.0;        ///< except next to input angles below 40 degrees
   std::span<const FaceLine> lines{};  ///< in any order of faces; in each face the weightiest first
+  /// Where given, the longest edge of an element at a point of a face as well [m].
+  std::function<double(FaceId, const Point&)> size_at{};
+  bool lined_only = false;  ///< faces without lines get no triangles
   /// Lines, or parts of lines, nearer to each other than this are one, the first of them; no line is displaced by more [m].
   double line_distance_m = 1e-3;
 };

@@ -37,35 +37,51 @@ using SizeCriteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 /// Edges shorter than this cannot be halved often enough before coordinates run out of digits [m].
 constexpr double kShortestEdge = 1e-8;
 
+/// The longest edge of a triangle where its middle is.
+using SizeAt = std::function<double(const Point2&)>;
+
 /// Angle and size, and how short the edges have become: the mesher judges every triangle that it makes.
 class Criteria : public SizeCriteria {
  public:
-  Criteria(double squared_sine, double max_edge, double* shortest)
-      : SizeCriteria(squared_sine, max_edge), shortest_(shortest) {}
+  Criteria(double squared_sine, double max_edge, const SizeAt* size_at, double* shortest)
+      : SizeCriteria(squared_sine, max_edge), size_at_(size_at), shortest_(shortest) {}
 
   class Is_bad : public SizeCriteria::Is_bad {  // NOLINT(readability-identifier-naming): CGAL's word
    public:
-    Is_bad(const SizeCriteria::Is_bad& base, double* shortest) : SizeCriteria::Is_bad(base), shortest_(shortest) {}
+    Is_bad(const SizeCriteria::Is_bad& base, const SizeAt* size_at, double* shortest)
+        : SizeCriteria::Is_bad(base), size_at_(size_at), shortest_(shortest) {}
 
     CGAL::Mesh_2::Face_badness operator()(const Quality quality) const {
       return SizeCriteria::Is_bad::operator()(quality);
     }
     CGAL::Mesh_2::Face_badness operator()(const Cdt::Face_handle& face, Quality& quality) const {
+      double longest = 0.0;
+      Point2 middle{0.0, 0.0};
       for (int k = 0; k < 3; ++k) {
         const Kernel::Point_2& a = face->vertex(Cdt::ccw(k))->point();
         const Kernel::Point_2& b = face->vertex(Cdt::cw(k))->point();
-        *shortest_ = std::min(*shortest_, std::hypot(b.x() - a.x(), b.y() - a.y()));
+        const double length = std::hypot(b.x() - a.x(), b.y() - a.y());
+        *shortest_ = std::min(*shortest_, length);
+        longest = std::max(longest, length);
+        middle = {middle.x + a.x() / 3.0, middle.y + a.y() / 3.0};
+      }
+      if (*size_at_ && longest > (*size_at_)(middle)) {
+        quality.first = 1.0;  // an angle that is none of the bad ones: the size is what is bad
+        quality.second = std::numeric_limits<double>::max();
+        return CGAL::Mesh_2::IMPERATIVELY_BAD;
       }
       return SizeCriteria::Is_bad::operator()(face, quality);
     }
 
    private:
+    const SizeAt* size_at_;
     double* shortest_;
   };
 
-  [[nodiscard]] Is_bad is_bad_object() const { return {SizeCriteria::is_bad_object(), shortest_}; }
+  [[nodiscard]] Is_bad is_bad_object() const { return {SizeCriteria::is_bad_object(), size_at_, shortest_}; }
 
  private:
+  const SizeAt* size_at_;
   double* shortest_;
 };
 
@@ -152,7 +168,7 @@ std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& op
   // CGAL bounds the squared sine of the smallest angle.
   const double sine = std::sin(options.min_angle_deg * std::acos(-1.0) / 180.0);
   double shortest = std::numeric_limits<double>::infinity();
-  Mesher mesher(cdt, Criteria(sine * sine, options.max_edge, &shortest));
+  Mesher mesher(cdt, Criteria(sine * sine, options.max_edge, &options.max_edge_at, &shortest));
   mesher.set_seeds(seeds.begin(), seeds.end(), true);
   mesher.init();
   while (!mesher.is_refinement_done()) {

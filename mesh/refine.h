@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "mesh/triangulate.h"
@@ -11,7 +12,9 @@ namespace clerestory::mesh {
 
 /// What refine() aims at.
 struct RefineOptions {
-  double max_edge = 4.0;         ///< [m]
+  double max_edge = 4.0;  ///< [m]
+  /// Where given, the longest edge of a triangle with its middle there as well [m].
+  std::function<double(const Point2&)> max_edge_at{};
   double min_angle_deg = 20.0;   ///< at most 20.7 for refinement to end for sure, small input angles apart
   std::size_t max_vertices = 0;  ///< beyond so many the refinement gives up
 };

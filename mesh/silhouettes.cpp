@@ -167,6 +167,9 @@ Occluders::Occluders(const Faces& faces, std::span<const std::uint8_t> passable)
   EdgeChains(raw).for_each([&](const RawEdge& edge, std::uint32_t from, std::uint32_t to) {
     const auto first = static_cast<std::uint32_t>(sheets_.size());
     sheets_.insert(sheets_.end(), edge.sheets.begin(), edge.sheets.end());
+    std::stable_sort(sheets_.begin() + first, sheets_.end(), [&](const Sheet& s, const Sheet& t) {
+      return faces.faces[s.face.index()].area_m2 > faces.faces[t.face.index()].area_m2;
+    });
     const std::uint32_t a = numbered(from);
     edges_.push_back({{a, numbered(to)},
                       normalized(faces.shape.vertices[to] - faces.shape.vertices[from]),

@@ -40,6 +40,7 @@ class Occluders {
   [[nodiscard]] std::array<Point, 2> ends(const OccluderEdge& e) const {
     return {points_[e.ends[0]], points_[e.ends[1]]};
   }
+  /// The surfaces at an edge, the largest face first.
   [[nodiscard]] std::span<const Sheet> sheets(const OccluderEdge& e) const {
     return std::span(sheets_).subspan(e.first_sheet, e.end_sheet - e.first_sheet);
   }

@@ -13,7 +13,8 @@ import time
 from pathlib import Path
 
 INPUTS = Path(__file__).resolve().parent / "inputs"
-RESULTS = {"summary.json", "result.vtm", "surfaces.vtp", "workplane.csv", "workplane.png", "workplane.vtp"}
+RESULTS = {"summary.json", "result.vtm", "surfaces.vtp", "discontinuities.vtp", "workplane.csv", "workplane.png",
+           "workplane.vtp"}
 
 
 class Command:

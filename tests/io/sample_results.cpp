@@ -118,6 +118,7 @@ lighting::Results make_results(const lighting::GridResult& grid) {
   s.part_names = {"desk <1> & \"süd\""};
   s.material_names = {"wall", "wood"};
   s.room_names = {"room 1"};
+  results.shadow_lines.emplace();
   return results;
 }
 

@@ -23,6 +23,7 @@ lighting::Study study_with_grids(std::initializer_list<const char*> names) {
 /// Two sensors side by side, and one triangle of surface.
 lighting::Results small_results() {
   lighting::Results results;
+  results.shadow_lines.emplace();
   auto& grid = results.grids.emplace_back();
   grid.name = "desk";
   for (const double x : {0.0, 1.0}) {
@@ -60,10 +61,16 @@ class StopAt final : public Progress {
   int left_;
 };
 
-TEST(ResultNames, AreThreeAGridAndThreeForAll) {
-  EXPECT_THAT(
-      result_names(study_with_grids({"desk"}), "a.toml"),
-      testing::UnorderedElementsAre("summary.json", "surfaces.vtp", "result.vtm", "desk.csv", "desk.vtp", "desk.png"));
+TEST(ResultNames, AreThreeAGridAndFourForAll) {
+  EXPECT_THAT(result_names(study_with_grids({"desk"}), "a.toml"),
+              testing::UnorderedElementsAre("summary.json", "surfaces.vtp", "discontinuities.vtp", "result.vtm",
+                                            "desk.csv", "desk.vtp", "desk.png"));
+}
+
+TEST(ResultNames, AreWithoutTheLinesWhereNoneAreAskedFor) {
+  lighting::Study study = study_with_grids({"desk"});
+  study.mesh.discontinuities = false;
+  EXPECT_THAT(result_names(study, "a.toml"), testing::Not(testing::Contains("discontinuities.vtp")));
 }
 
 TEST(ResultNames, RefuseGridsThatWouldShareAFileOrHaveNone) {

@@ -116,7 +116,18 @@ TEST(Run, CountsAndPhasesAreToldOff) {
   std::vector<std::string> names;
   for (const PhaseTime& phase : results.phases) names.push_back(phase.name);
   EXPECT_THAT(names, ElementsAre("cleaning the model", "placing sensors", "meshing", "direct light", "linking",
-                                 "gathering", "balancing"));
+                                 "gathering", "balancing", "shadows"));
+}
+
+TEST(Run, SensorsAreTheSameWithAndWithoutShadowLines) {
+  Study study = room_study();
+  const Results with = answer(study);
+  study.mesh.discontinuities = false;
+  const Results without = answer(study);
+  EXPECT_EQ(with.grids.at(0).illuminance_lux, without.grids.at(0).illuminance_lux);
+  EXPECT_EQ(with.grids.at(0).error_lux, without.grids.at(0).error_lux);
+  EXPECT_TRUE(with.shadow_lines.has_value());
+  EXPECT_FALSE(without.shadow_lines.has_value());
 }
 
 TEST(Run, MeetsTheAccuracyItWasAsked) {

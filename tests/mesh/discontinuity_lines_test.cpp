@@ -414,9 +414,7 @@ TEST(DiscontinuityLines, ThousandsOfTinyPartsEndAtTheLimit) {
     support::add_triangle(model, p, p + Vector{0.01, 0, 0}, p + Vector{0, 0.01, 0.003}, {"leaf", "leaf"});
   }
   const Faces faces = faces_from(model);
-  DiscontinuityOptions options;
-  options.most_critical_surfaces = 3000;
-  const FoundLines found = find(faces, lamp(0.3, 0.2, 3.0), options);
+  const FoundLines found = DiscontinuityFinder(faces).find(lamp(0.3, 0.2, 3.0), 0, 3000);
   EXPECT_TRUE(found.stopped);
   EXPECT_EQ(found.critical_surfaces, 3000U);
   for (const DiscontinuityLine& line : found.lines) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "mesh/discontinuity_lines.h"
 #include "mesh/faces.h"
@@ -143,6 +144,43 @@ TEST(ElementMesh, TrianglesDoNotCrossLines) {
   for (const Triangle& t : mesh.of(floor)) patches.insert(t.patch);
   EXPECT_GT(patches.size(), 10U);
   EXPECT_EQ(support::region_count(mesh, floor), support::region_count(faces.shape, floor));
+}
+
+TEST(ElementMesh, SizesMayDifferFromPlaceToPlace) {
+  Model model;
+  support::add_polygon(model, {{0, 0, 0}, {8, 0, 0}, {8, 4, 0}, {0, 4, 0}});
+  const Faces faces = faces_from(model);
+  MeshOptions options;
+  options.max_size_m = 2.0;
+  options.size_at = [&](FaceId, const Point& p) { return p.x + faces.origin.x < 1.0 ? 0.2 : 2.0; };
+  const Triangulation mesh = mesh_faces(faces, options);
+  expect_same_areas(faces, mesh);
+  std::size_t coarse = 0;
+  for (const Triangle& t : mesh.triangles) {
+    double longest = 0.0;
+    double middle = faces.origin.x;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = mesh.vertices[t.vertices[k]];
+      longest = std::max(longest, norm(mesh.vertices[t.vertices[(k + 1) % 3]] - p));
+      middle += p.x / 3.0;
+    }
+    EXPECT_LE(longest, middle < 1.0 ? 0.2 : 2.0);
+    coarse += longest > 0.7 ? 1 : 0;
+  }
+  EXPECT_GT(coarse, 5U);
+}
+
+TEST(ElementMesh, FacesWithoutLinesMayBeLeftOut) {
+  Model model = support::box_room(4, 5, 3);
+  const Faces faces = faces_from(model);
+  const FaceId lined(std::size_t{0});
+  const std::vector<FaceLine> lines{{lined, {faces.faces[0].origin, faces.faces[0].origin + faces.faces[0].frame.u}}};
+  MeshOptions options;
+  options.lines = lines;
+  options.lined_only = true;
+  const Triangulation mesh = mesh_faces(faces, options);
+  ASSERT_EQ(mesh.starts.size(), faces.count() + 1);
+  for (std::size_t f = 0; f < faces.count(); ++f) EXPECT_EQ(mesh.of(FaceId(f)).empty(), f != 0);
 }
 
 TEST(ElementMesh, EndsAtSmallInputAnglesAndCountsThem) {

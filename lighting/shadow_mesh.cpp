@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/shadow_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "mesh/element_tree.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::FaceId;
+using mesh::FaceSide;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+/// Places darker than this share of the scale need not be better than one of that illuminance [docs/theory/accuracy.md].
+constexpr double kDarkShare = 0.05;
+/// Elements are not asked to be smaller than this [m].
+constexpr double kFinestM = 0.1;
+/// Longest edge where the solution's elements are the only bound [m].
+constexpr double kNoBoundM = 1e9;
+/// Lines nearer to each other are one [m]: that far a shadow's edge may lie off its place, and slivers between nearly parallel lines cost
+/// more elements than they are worth.
+constexpr double kLineDistanceM = 0.01;
+/// What finding lines and lighting what they bound may cost follows what the solution has cost: lines, critical surfaces and points of the
+/// mesh, by element of the solution.
+constexpr double kLinesPerElement = 0.05;
+constexpr double kSurfacesPerElement = 2.0;
+constexpr double kPointsPerElement = 0.75;
+/// Sources whose lines are looked for, the strongest.
+constexpr std::size_t kMostSources = 12;
+/// Small scenes have so many lines and points all the same.
+constexpr std::size_t kFewLines = 64;
+constexpr std::size_t kFewPoints = 4500;
+
+/// The element that holds a point of a side; invalid where it carries none.
+ElementId element_at(const Solution& solution, FaceSide side, const Point& point) {
+  const ElementId node = solution.tree().find(side, point);
+  return node.valid() ? solution.element_at(node, point) : node;
+}
+
+double extent(const mesh::ElementTree& tree, ElementId e, const Vector& across) {
+  std::array<Point, 4> corners;
+  const std::size_t count = tree.hull(e, corners);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = dot(corners[i] - tree.centroid(e), across);
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  return high - low;
+}
+
+double illuminance_at(const Solution& solution, ElementId e, const Point& point) {
+  const Vector d = point - solution.tree().centroid(e);
+  const auto values = solution.irradiance(e);
+  double sum = 0.0;
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    sum +=
+        solution.scene().channel_weights[c] * (values[c].value + values[c].slope_u * dot(d, solution.tree().axes(e).u) +
+                                               values[c].slope_v * dot(d, solution.tree().axes(e).v));
+  }
+  return sum;
+}
+
+/// About the longest edge of the elements at a point of a face.
+double size_at(const Solution& solution, const std::vector<std::uint8_t>& lit, FaceId face, const Point& point) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const mesh::Side side : {mesh::Side::kFront, mesh::Side::kBack}) {
+    if (lit[FaceSide{face, side}.index()] == 0) continue;
+    const ElementId e = element_at(solution, {face, side}, point);
+    if (e.valid()) size = std::min(size, std::numbers::sqrt3 * solution.tree().radius(e));
+  }
+  return std::max(size, kFinestM);
+}
+
+LineOptions line_options(const Solution& solution, double accuracy, double scale_lux) {
+  const auto elements = static_cast<double>(solution.elements().size());
+  LineOptions options;
+  options.tolerance = accuracy;
+  options.most_sources = kMostSources;
+  options.most_lines = std::max(kFewLines, static_cast<std::size_t>(kLinesPerElement * elements));
+  options.most_critical_surfaces = static_cast<std::size_t>(kSurfacesPerElement * elements);
+  options.surroundings = [&solution, scale_lux](const mesh::DiscontinuityLine& line,
+                                                const Vector& across) -> LineSurroundings {
+    const Point middle = midpoint(line.ends[0], line.ends[1]);
+    const ElementId e = element_at(solution, {line.face, line.side}, middle);
+    if (!e.valid()) return {};
+    return {extent(solution.tree(), e, across), std::max(illuminance_at(solution, e, middle), kDarkShare * scale_lux)};
+  };
+  return options;
+}
+
+/// Meshes the faces of the lines found.
+void mesh_lines(const Solution& solution, ShadowMesh& result) {
+  const Scene& scene = solution.scene();
+  result.lit.assign(2 * scene.faces.count(), 0);
+  result.jump.assign(scene.faces.count(), 0);
+  std::vector<mesh::FaceLine> lines;
+  for (const mesh::DiscontinuityLine& line : result.found.lines) {
+    lines.push_back({line.face, line.ends});
+    result.lit[FaceSide{line.face, line.side}.index()] = 1;
+    if (line.order == 0) result.jump[line.face.index()] = 1;
+  }
+  mesh::MeshOptions options;
+  options.max_size_m = kNoBoundM;
+  options.line_distance_m = kLineDistanceM;
+  options.lined_only = true;
+  options.lines = lines;
+  options.size_at = [&](FaceId face, const Point& p) { return size_at(solution, result.lit, face, p); };
+  result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
+}
+
+/// Leaves the lightest lines out.
+void keep(std::size_t count, SceneLines& found) {
+  found.selection.over_cap += found.lines.size() - count;
+  for (std::size_t i = count; i < found.lines.size(); ++i) --found.selection.kept_count[found.lines[i].order];
+  found.lines.resize(count);
+}
+
+}  // namespace
+
+ShadowMesh shadow_mesh(const Solution& solution, double accuracy, double scale_lux, std::size_t most_elements) {
+  const Scene& scene = solution.scene();
+  ShadowMesh result;
+  result.found = find_discontinuities(scene, line_options(solution, accuracy, scale_lux));
+  // Points of curved parts lie on their limit surface, where a line in the plane of one facet says little.
+  std::erase_if(result.found.lines, [&](const mesh::DiscontinuityLine& line) {
+    return !scene.faces.faces[line.face.index()].facets.empty();
+  });
+  const auto by_elements =
+      static_cast<std::size_t>(kPointsPerElement * static_cast<double>(solution.elements().size()));
+  // A triangulation has half as many points as triangles.
+  const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), most_elements / 2);
+  mesh_lines(solution, result);
+  // Lines cross each other: points grow faster than lines.
+  while (result.mesh.vertices.size() > most_points && !result.found.lines.empty()) {
+    const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
+    keep(static_cast<std::size_t>(std::max(0.5, 0.9 * share) * static_cast<double>(result.found.lines.size())),
+         result.found);
+    mesh_lines(solution, result);
+  }
+  return result;
+}
+
+}  // namespace clerestory::lighting

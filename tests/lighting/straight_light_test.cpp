@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/straight_light.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "lighting/form_factor.h"
+#include "lighting/shadow_mesh.h"
+#include "lighting/surface_values.h"
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+using mesh::Point;
+using mesh::Vector;
+
+constexpr double kLampLmM2 = 5000.0;
+constexpr std::uint64_t kSeed = 12345;
+
+/// A solved study with what its straight light needs.
+struct Lit : test::Stage {
+  explicit Lit(const Study& study, std::uint32_t rays = 1024)
+      : Stage(study),
+        importance(solution, positions, normals, kSeed),
+        direct(light_directly(solution, importance, 0.002 * study.accuracy.target, kSeed, nobody)),
+        transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = kSeed}, nobody)),
+        straight(solution, direct, transport.links, rays) {}
+
+  /// The element of the floor's front at a point in local coordinates.
+  [[nodiscard]] mesh::ElementId on_floor(const Point& p) const {
+    return solution.element_at(solution.tree().face_side(root("floor")), 0, p);
+  }
+  /// Straight light on the floor's front [lux].
+  [[nodiscard]] double at(const Point& model_point) const {
+    const Point p = local(model_point);
+    const mesh::ElementId e = on_floor(p);
+    const auto lux = straight.at(e, p);
+    return lux ? lux->at(0) : straight.in_solution(e, p, 0);
+  }
+
+  NoProgress nobody;
+  Importance importance;
+  DirectLight direct;
+  Transport transport;
+  StraightLight straight;
+};
+
+/// A room with a lamp of 1 m × 0.5 m at 2.9 m that shines down, and a shelf at 2.2 m whose edge y = 2 runs along the lamp.
+Study lamp_over_shelf(double reflectance = 0.5) {
+  mesh::Model model = support::box_room(6, 4, 3);
+  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.0, 2.9}, {2.5, 2.0, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
+  support::add_quad(model, {0.5, 2, 2.2}, {3.5, 2, 2.2}, {3.5, 3.5, 2.2}, {0.5, 3.5, 2.2}, {"shelf", "shelf"});
+  Study study = test::study_of(std::move(model), reflectance, {3, 2, 1});
+  test::shine(test::material(study, "lamp"), kLampLmM2);
+  return study;
+}
+
+/// Of the part of the lamp up to some y, on the floor, without occluders [lux].
+double by_lamp(const Point& at, double from_y, double to_y) {
+  const std::array<Point, 4> c{Point{1.5, from_y, 2.9}, Point{1.5, to_y, 2.9}, Point{2.5, to_y, 2.9},
+                               Point{2.5, from_y, 2.9}};
+  std::vector<mesh::OutlineEdge> edges;
+  for (std::size_t k = 0; k < 4; ++k) edges.push_back({c[k], c[(k + 1) % 4]});
+  return kLampLmM2 * point_form_factor(at, {0, 0, 1}, edges, {0, 0, -1});
+}
+
+TEST(StraightLight, OfALampIsExactInLightAndUmbraAndByItsVisiblePartInThePenumbra) {
+  const Lit lit(lamp_over_shelf(0.0));
+  const Point clear{2, 1, 0};
+  EXPECT_NEAR(lit.at(clear), by_lamp(clear, 1.5, 2.0), 1e-4 * by_lamp(clear, 1.5, 2.0));
+  // The plane through the edge y = 2, z = 2.2 and the lamp's middle y = 1.75 meets the floor at y = 2 + 2.2 · 0.25 / 0.7.
+  const Point half{2, 2.0 + 2.2 * 0.25 / 0.7, 0};
+  EXPECT_NEAR(lit.at(half), by_lamp(half, 1.5, 1.75), 0.01 * by_lamp(half, 1.5, 1.75));
+  EXPECT_EQ(lit.at({2, 2.0 + 2.2 * 0.55 / 0.7, 0}), 0.0);
+}
+
+TEST(StraightLight, OfTheSolutionIsAboutTheSameOnTheMean) {
+  const Lit lit(lamp_over_shelf());
+  double anew = 0.0;
+  double solved = 0.0;
+  for (double x = 0.1; x < 6.0; x += 0.2) {
+    for (double y = 0.1; y < 4.0; y += 0.2) {
+      const Point p = lit.local({x, y, 0});
+      anew += lit.at({x, y, 0});
+      solved += lit.straight.in_solution(lit.on_floor(p), p, 0);
+    }
+  }
+  EXPECT_NEAR(solved / anew, 1.0, 0.05);
+}
+
+TEST(StraightLight, OfTheSkyComesThroughTheOpening) {
+  // A floor under a lid with an opening of 2 m × 2 m, below a uniform sky of 10,000 lux; walls all round.
+  mesh::Model room;
+  for (const auto& [a, b, c, d, name] : std::vector<std::tuple<Point, Point, Point, Point, const char*>>{
+           {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, "floor"},
+           {{0, 0, 0}, {0, 0, 3}, {4, 0, 3}, {4, 0, 0}, "wall"},
+           {{4, 0, 0}, {4, 0, 3}, {4, 4, 3}, {4, 4, 0}, "wall"},
+           {{4, 4, 0}, {4, 4, 3}, {0, 4, 3}, {0, 4, 0}, "wall"},
+           {{0, 4, 0}, {0, 4, 3}, {0, 0, 3}, {0, 0, 0}, "wall"},
+           {{1, 1, 3}, {3, 1, 3}, {3, 3, 3}, {1, 3, 3}, "air"}}) {
+    support::add_quad(room, a, b, c, d, {name, name});
+  }
+  support::add_polygon(room, {{0, 0, 3}, {0, 4, 3}, {4, 4, 3}, {4, 0, 3}}, {"lid", "lid"},
+                       {{{1, 1, 3}, {3, 1, 3}, {3, 3, 3}, {1, 3, 3}}});
+  Study study = test::study_of(std::move(room), 0.2, {2, 2, 1});
+  test::leave_open(test::material(study, "air"));
+  study.sky.type = Sky::Type::kUniform;
+  study.sky.horizontal_illuminance_lux = 10000.0;
+  const Lit lit(study);
+  const Point at{1.3, 2.6, 0};
+  const std::array<Point, 4> c{Point{1, 1, 3}, Point{1, 3, 3}, Point{3, 3, 3}, Point{3, 1, 3}};
+  std::vector<mesh::OutlineEdge> edges;
+  for (std::size_t k = 0; k < 4; ++k) edges.push_back({c[k], c[(k + 1) % 4]});
+  const double expected = 10000.0 * point_form_factor(at, {0, 0, 1}, edges, {0, 0, -1});
+  EXPECT_NEAR(lit.at(at), expected, 0.01 * expected);
+}
+
+TEST(ShadowMesh, FollowsThePenumbraOnTheFloor) {
+  const Lit lit(lamp_over_shelf());
+  const ShadowMesh shadows = shadow_mesh(lit.solution, 0.02, lit.importance.mean_lux(), 100000);
+  // The penumbra of the edge ends at y = 2 + 2.2 · 0.5 / 0.7 and begins at y = 2: no triangle of the floor lies on both sides.
+  const mesh::FaceId floor = lit.solution.tree().face_side(lit.root("floor")).face;
+  ASSERT_FALSE(shadows.mesh.of(floor).empty());
+  for (const double y : {2.0, 2.0 + 2.2 * 0.5 / 0.7}) {
+    for (const mesh::Triangle& t : shadows.mesh.of(floor)) {
+      double low = 1e9;
+      double high = -1e9;
+      double left = 1e9;
+      double right = -1e9;
+      for (const std::uint32_t v : t.vertices) {
+        const Point p = shadows.mesh.vertices[v] + lit.scene.faces.origin;
+        low = std::min(low, p.y);
+        high = std::max(high, p.y);
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+      }
+      if (left < 1.5 || right > 2.5) continue;
+      EXPECT_FALSE(low < y - 0.011 && high > y + 0.011) << low << " to " << high;
+    }
+  }
+}
+
+TEST(ShadowMesh, StaysInItsBudget) {
+  const Lit lit(lamp_over_shelf());
+  const ShadowMesh all = shadow_mesh(lit.solution, 0.02, lit.importance.mean_lux(), 100000);
+  const ShadowMesh few = shadow_mesh(lit.solution, 0.02, lit.importance.mean_lux(), all.mesh.triangles.size() / 2);
+  EXPECT_LE(few.mesh.triangles.size(), all.mesh.triangles.size() / 2 + 10);
+  EXPECT_LT(few.found.lines.size(), all.found.lines.size());
+  EXPECT_EQ(few.found.selection.over_cap, all.found.lines.size() - few.found.lines.size());
+}
+
+/// The largest error of a surface's points against straight light, where nothing is reflected [lux].
+double worst(const SurfaceResult& surfaces, const Lit& exact) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < surfaces.cells.size(); ++i) {
+    if (surfaces.material_names.at(static_cast<std::size_t>(surfaces.material[i])) != "floor" || surfaces.side[i] != 0)
+      continue;
+    for (const std::uint32_t p : surfaces.cells[i]) {
+      const Point& at = surfaces.points[p];
+      if (at.x < 0.01 || at.x > 5.99 || at.y < 0.01 || at.y > 3.99) continue;
+      worst = std::max(worst, std::abs(surfaces.point_illuminance_lux[p] - exact.at(at)));
+    }
+  }
+  return worst;
+}
+
+TEST(SurfaceValuesInShadow, PointsMeetTheShadowThatElementsMiss) {
+  const Lit lit(lamp_over_shelf(0.0), 256);
+  const Lit exact(lamp_over_shelf(0.0), 4096);
+  const ShadowMesh shadows = shadow_mesh(lit.solution, 0.02, lit.importance.mean_lux(), 100000);
+  const double with = worst(surface_values(lit.solution, lit.transport.errors, shadows, lit.straight), exact);
+  const double without = worst(surface_values(lit.solution, lit.transport.errors), exact);
+  EXPECT_LT(2.0 * with, without);
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
