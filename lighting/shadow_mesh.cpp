@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "mesh/element_tree.h"
@@ -22,7 +23,7 @@ namespace {
 
 /// Places darker than this share of the scale need not be better than one of that illuminance [docs/theory/accuracy.md].
 constexpr double kDarkShare = 0.05;
-/// Elements are not asked to be smaller than this [m].
+/// Elements are not asked to be smaller than this, and lines shorter than it are left out [m].
 constexpr double kFinestM = 0.1;
 /// Longest edge where the solution's elements are the only bound [m].
 constexpr double kNoBoundM = 1e9;
@@ -32,12 +33,14 @@ constexpr double kLineDistanceM = 0.01;
 /// What finding lines and lighting what they bound may cost follows what the solution has cost: lines, critical surfaces and points of the
 /// mesh, by element of the solution.
 constexpr double kLinesPerElement = 0.05;
-constexpr double kSurfacesPerElement = 2.0;
+constexpr double kSurfacesPerElement = 1.0;
 constexpr double kPointsPerElement = 0.75;
 /// Sources whose lines are looked for, the strongest.
 constexpr std::size_t kMostSources = 12;
 /// Small scenes have so many lines and points all the same.
 constexpr std::size_t kFewLines = 64;
+/// A surface whose lines would make more triangles each has fewer of them: where details or crossings crowd.
+constexpr double kTrianglesPerLine = 100.0;
 constexpr std::size_t kFewPoints = 4500;
 
 /// The element that holds a point of a side; invalid where it carries none.
@@ -91,6 +94,7 @@ LineOptions line_options(const Solution& solution, double accuracy, double scale
   options.most_critical_surfaces = static_cast<std::size_t>(kSurfacesPerElement * elements);
   options.surroundings = [&solution, scale_lux](const mesh::DiscontinuityLine& line,
                                                 const Vector& across) -> LineSurroundings {
+    if (norm(line.ends[1] - line.ends[0]) < kFinestM) return {};
     const Point middle = midpoint(line.ends[0], line.ends[1]);
     const ElementId e = element_at(solution, {line.face, line.side}, middle);
     if (!e.valid()) return {};
@@ -119,11 +123,33 @@ void mesh_lines(const Solution& solution, ShadowMesh& result) {
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
-/// Leaves the lightest lines out.
-void keep(std::size_t count, SceneLines& found) {
-  found.selection.over_cap += found.lines.size() - count;
-  for (std::size_t i = count; i < found.lines.size(); ++i) --found.selection.kept_count[found.lines[i].order];
-  found.lines.resize(count);
+/// Lines of each face that are worth their triangles: all, or so many that these become few, as if their numbers grew alike.
+std::vector<std::size_t> worth_it(const ShadowMesh& shadows) {
+  std::vector<std::size_t> count(shadows.jump.size(), 0);
+  for (const mesh::DiscontinuityLine& line : shadows.found.lines) ++count[line.face.index()];
+  for (std::size_t f = 0; f < count.size(); ++f) {
+    const auto triangles = static_cast<double>(shadows.mesh.of(FaceId(f)).size());
+    const auto lines = static_cast<double>(count[f]);
+    if (triangles > kTrianglesPerLine * lines)
+      count[f] = static_cast<std::size_t>(lines * kTrianglesPerLine * lines / triangles);
+  }
+  return count;
+}
+
+/// Keeps the weightiest lines: so many of each face, and so many in all.
+void keep(std::vector<std::size_t> of_face, std::size_t in_all, SceneLines& found) {
+  std::vector<mesh::DiscontinuityLine> kept;
+  for (const mesh::DiscontinuityLine& line : found.lines) {
+    std::size_t& left = of_face[line.face.index()];
+    if (left > 0 && kept.size() < in_all) {
+      --left;
+      kept.push_back(line);
+    } else {
+      ++found.selection.over_cap;
+      --found.selection.kept_count[line.order];
+    }
+  }
+  found.lines = std::move(kept);
 }
 
 }  // namespace
@@ -141,14 +167,17 @@ ShadowMesh shadow_mesh(const Solution& solution, double accuracy, double scale_l
   // A triangulation has half as many points as triangles.
   const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), most_elements / 2);
   mesh_lines(solution, result);
-  // Lines cross each other: points grow faster than lines.
-  while (result.mesh.vertices.size() > most_points && !result.found.lines.empty()) {
+  for (;;) {
+    const std::vector<std::size_t> of_face = worth_it(result);
+    const std::size_t worth = std::accumulate(of_face.begin(), of_face.end(), std::size_t{0});
+    const std::size_t lines = result.found.lines.size();
+    if (worth == lines && result.mesh.vertices.size() <= most_points) return result;
+    // Faces that cost too much go first; then all give.
     const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
-    keep(static_cast<std::size_t>(std::max(0.5, 0.9 * share) * static_cast<double>(result.found.lines.size())),
+    keep(of_face, worth < lines ? lines : static_cast<std::size_t>(0.9 * share * static_cast<double>(lines)),
          result.found);
     mesh_lines(solution, result);
   }
-  return result;
 }
 
 }  // namespace clerestory::lighting
