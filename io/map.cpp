@@ -8,6 +8,7 @@
 #include "io/map_labels.h"
 #include "io/map_layout.h"
 #include "io/map_mesh.h"
+#include "io/map_no_sky.h"
 #include "io/map_plan.h"
 #include "io/map_scale.h"
 #include "io/raster.h"
@@ -61,6 +62,7 @@ void draw_plan(Raster& raster, const MapPlan& plan, const MapLayout& layout, con
     const Mask within = field_mask(plan, layout);
     const Mask painted = paint_field(raster, mesh, layout, scale, within);
     draw_outlines(raster, occupied, plan, layout);
+    draw_no_sky(raster, occupied, plan, layout);
     draw_isolines(raster, occupied, mesh, layout, scale, within);
     draw_values(raster, occupied, plan, layout, values, painted);
   }
@@ -76,7 +78,7 @@ void write_map_png(const std::filesystem::path& file, const lighting::GridResult
   const bool factor = !grid.daylight_factor_percent.empty();
   const MapQuantity quantity = factor ? MapQuantity::kDaylightFactor : MapQuantity::kIlluminance;
   const std::vector<float>& values = factor ? grid.daylight_factor_percent : grid.illuminance_lux;
-  const MapPlan plan = lay_flat(grid.sensors, context.north_deg);
+  const MapPlan plan = lay_flat(grid.sensors, context.north_deg, grid.no_sky);
   const MapLayout layout = layout_map(plan);
   const MapScale scale = choose_scale(values, quantity);
   Raster raster(layout.width, layout.height, kPaper);

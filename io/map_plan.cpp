@@ -18,6 +18,8 @@ namespace {
 constexpr double kSameDirection = 0.9962;
 /// Planes further apart than this are drawn apart [m]: more than a step in a floor, less than a storey or a room.
 constexpr double kApart = 0.6;
+/// A line this near to the plane of sensors lies in it [m].
+constexpr double kInPlane = 1e-3;
 /// More planes than this are no planes (a curved surface, scattered sensors): all are drawn as seen from above.
 constexpr std::size_t kMostPlanes = 24;
 /// A normal this close to the vertical makes a plane level: cos 15°, as for grids on surfaces.
@@ -29,6 +31,7 @@ struct Plane {
   double highest = 0.0;
   std::vector<std::uint32_t> sensors;
   std::vector<std::size_t> outlines;
+  std::vector<std::array<mesh::Point, 2>> no_sky;
 };
 
 mesh::Vector position_vector(const mesh::Point& p) { return p - mesh::Point{}; }
@@ -47,7 +50,7 @@ std::vector<Plane> by_direction(const lighting::Sensors& sensors) {
     auto plane = std::ranges::find_if(planes, [&](const Plane& p) { return dot(p.axes.w, normal) > kSameDirection; });
     if (plane == planes.end()) {
       if (planes.size() == kMostPlanes) return {};
-      plane = planes.insert(planes.end(), Plane{axes_of(normal), 0.0, 0.0, {}, {}});
+      plane = planes.insert(planes.end(), Plane{axes_of(normal), 0.0, 0.0, {}, {}, {}});
     }
     plane->sensors.push_back(static_cast<std::uint32_t>(i));
   }
@@ -64,7 +67,7 @@ std::vector<Plane> by_offset(const lighting::Sensors& sensors, const Plane& plan
   std::vector<Plane> parts;
   double last = -std::numeric_limits<double>::infinity();
   for (const auto& [offset, sensor] : offsets) {
-    if (offset - last > kApart) parts.push_back({plane.axes, offset, offset, {}, {}});
+    if (offset - last > kApart) parts.push_back({plane.axes, offset, offset, {}, {}, {}});
     parts.back().highest = offset;
     parts.back().sensors.push_back(sensor);
     last = offset;
@@ -81,7 +84,7 @@ std::vector<Plane> planes_of(const lighting::Sensors& sensors) {
   }
   if (!planes.empty() && planes.size() <= kMostPlanes) return planes;
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  Plane all{axes_of({0, 0, 1}), -kFar, kFar, std::vector<std::uint32_t>(sensors.count()), {}};
+  Plane all{axes_of({0, 0, 1}), -kFar, kFar, std::vector<std::uint32_t>(sensors.count()), {}, {}};
   std::iota(all.sensors.begin(), all.sensors.end(), 0U);
   return {all};
 }
@@ -110,6 +113,19 @@ std::optional<std::size_t> plane_of(const std::vector<mesh::Point>& loop, const 
     }
   }
   return best;
+}
+
+/// The plane that holds a line of its sensors, or nothing.
+std::optional<std::size_t> plane_of_line(const std::array<mesh::Point, 2>& line, const std::vector<Plane>& planes) {
+  const auto holds = [&](const Plane& plane) {
+    return std::ranges::all_of(line, [&](const mesh::Point& p) {
+      const double offset = dot(plane.axes.w, position_vector(p));
+      return offset > plane.lowest - kInPlane && offset < plane.highest + kInPlane;
+    });
+  };
+  const auto found = std::ranges::find_if(planes, holds);
+  if (found == planes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - planes.begin());
 }
 
 MapPoint flatten(const mesh::Frame& axes, const mesh::Point& p) {
@@ -234,6 +250,7 @@ class PlanBuilder {
     const std::size_t first = plan_.outlines.size();
     for (const std::size_t o : plane.outlines) add_outline(sensors_.outlines[o], place, panel.box);
     mark_holes(first);
+    for (const auto& line : plane.no_sky) plan_.no_sky.push_back({place(line[0]), place(line[1])});
     for (const std::uint32_t i : plane.sensors) {
       plan_.positions[i] = place(sensors_.positions[i]);
       panel.box.add(plan_.positions[i]);
@@ -304,8 +321,12 @@ bool contains(const MapOutline& outline, const MapPoint& p) {
   return inside;
 }
 
-MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg) {
+MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg,
+                 std::span<const std::array<mesh::Point, 2>> no_sky) {
   std::vector<Plane> planes = planes_of(sensors);
+  for (const auto& line : no_sky) {
+    if (const auto plane = plane_of_line(line, planes)) planes[*plane].no_sky.push_back(line);
+  }
   for (std::size_t o = 0; o < sensors.outlines.size(); ++o) {
     if (sensors.outlines[o].size() < 3) continue;
     const auto plane = plane_of(sensors.outlines[o], planes);
@@ -322,6 +343,9 @@ MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     builder.add(planes[i], shifts[i], caption_of(planes[i], sensors, north_deg));
   }
+  std::ranges::stable_sort(plan.no_sky, [](const auto& a, const auto& b) {
+    return std::hypot(a[1].x - a[0].x, a[1].y - a[0].y) > std::hypot(b[1].x - b[0].x, b[1].y - b[0].y);
+  });
   plan.seen_from_above = std::ranges::all_of(planes, level);
   const double north = north_deg * std::numbers::pi / 180.0;
   const mesh::Vector to_north{-std::sin(north), std::cos(north), 0.0};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ struct MapPlan {
   std::vector<std::uint32_t> zone;   ///< of each sensor: values are smooth inside a zone (one room of one plane)
   std::vector<std::uint8_t> inside;  ///< of each sensor: 1 within an outline
   std::vector<MapOutline> outlines;
+  std::vector<std::array<MapPoint, 2>> no_sky;  ///< the longest first
   std::vector<MapPanel> panels;
   MapBox box;
   bool seen_from_above = false;  ///< every plane is level, so that the map has a north
@@ -62,7 +64,9 @@ struct MapPlan {
 /// Lays a grid flat: level planes as a plan seen from above, walls as seen from where their sensors look to. A long plan that
 /// stands on end is turned by 90° to the right.
 /// @param north_deg  from +y, counter-clockwise
-MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg);
+/// @param no_sky     lines in the planes of the sensors [m, model coordinates]
+MapPlan lay_flat(const lighting::Sensors& sensors, double north_deg,
+                 std::span<const std::array<mesh::Point, 2>> no_sky = {});
 
 /// Even-odd rule.
 bool contains(const MapOutline& outline, const MapPoint& p);

@@ -2,9 +2,12 @@
 #include "lighting/run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "lighting/direct_light.h"
@@ -114,13 +117,19 @@ void evaluate(const Study& study, const Solution& solution, const SolutionErrors
   grid.metrics = grid_metrics(grid, study.accuracy.target);
 }
 
-/// Where the sky goes out of sight in the plane of a grid's sensors, which lie in one.
-void draw_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult& grid) {
-  if (grid.sensors.cells.empty()) return;
-  const mesh::Point at = grid.sensors.positions.front() - origin;
-  for (const mesh::NoSkySurface& surface : found.no_sky) {
-    const auto cut = mesh::cut_by_plane(surface, at, grid.sensors.normals.front());
-    if (cut) grid.no_sky.push_back({(*cut)[0] + origin, (*cut)[1] + origin});
+/// Where the sky goes out of sight in the planes of a grid's sensors.
+void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult& grid) {
+  std::set<std::array<long, 4>> planes;  // normal and offset, in thousandths
+  const auto thousandths = [](double x) { return std::lround(1000.0 * x); };
+  for (std::size_t i = 0; i < grid.sensors.cells.size(); ++i) {
+    const mesh::Point at = grid.sensors.positions[i] - origin;
+    const mesh::Vector& n = grid.sensors.normals[i];
+    const double offset = dot(at - mesh::Point{}, n);
+    if (!planes.insert({thousandths(n.x), thousandths(n.y), thousandths(n.z), thousandths(offset)}).second) continue;
+    for (const mesh::NoSkySurface& surface : found.no_sky) {
+      const auto cut = mesh::cut_by_plane(surface, at, n);
+      if (cut) grid.no_sky.push_back({(*cut)[0] + origin, (*cut)[1] + origin});
+    }
   }
 }
 
@@ -137,7 +146,7 @@ void show_surfaces(const Study& study, const Solution& solution, const Transport
   const StraightLight straight(solution, std::move(direct), transport.links, rays);
   results.surfaces = surface_values(solution, transport.errors, shadows, straight);
   results.shadow_lines = {element_lines(scene, shadows.found), shadows.found.selection, shadows.report};
-  for (GridResult& grid : results.grids) draw_no_sky(shadows.found, scene.faces.origin, grid);
+  for (GridResult& grid : results.grids) find_no_sky(shadows.found, scene.faces.origin, grid);
 }
 
 void conclude(const Study& study, const Scene& scene, Results& results) {

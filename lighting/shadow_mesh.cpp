@@ -37,8 +37,9 @@ constexpr double kSurfacesPerElement = 1.0;
 constexpr double kPointsPerElement = 0.75;
 /// Sources whose lines are looked for, the strongest.
 constexpr std::size_t kMostSources = 12;
-/// Small scenes have so many lines and points all the same.
+/// Small scenes may have so many lines, surfaces and points all the same.
 constexpr std::size_t kFewLines = 64;
+constexpr std::size_t kFewSurfaces = 5000;
 /// A surface whose lines would make more triangles each has fewer of them: where details or crossings crowd.
 constexpr double kTrianglesPerLine = 100.0;
 constexpr std::size_t kFewPoints = 4500;
@@ -91,7 +92,7 @@ LineOptions line_options(const Solution& solution, double accuracy, double scale
   options.tolerance = accuracy;
   options.most_sources = kMostSources;
   options.most_lines = std::max(kFewLines, static_cast<std::size_t>(kLinesPerElement * elements));
-  options.most_critical_surfaces = static_cast<std::size_t>(kSurfacesPerElement * elements);
+  options.most_critical_surfaces = std::max(kFewSurfaces, static_cast<std::size_t>(kSurfacesPerElement * elements));
   options.surroundings = [&solution, scale_lux](const mesh::DiscontinuityLine& line,
                                                 const Vector& across) -> LineSurroundings {
     if (norm(line.ends[1] - line.ends[0]) < kFinestM) return {};

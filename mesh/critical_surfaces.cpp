@@ -59,9 +59,10 @@ class WedgeMaker {
         shadow_edges();
         break;
       case ShadowSource::Kind::kPolygon:
+        // Where the limit is reached, the no-sky line is there all the same.
+        if (source_.sky) outdoor_silhouettes();
         polygon_vertices();
         polygon_edges();
-        if (source_.sky) outdoor_silhouettes();
         break;
     }
     return !exceeded_;
@@ -233,7 +234,9 @@ class WedgeMaker {
       for (const std::uint32_t end : outdoors.ends) {
         if (seen[end] || dot(occluders_.point(end) - source_.outline[0][0], source_.normal) > -kInPlane) continue;
         seen[end] = true;
-        for (const OccluderEdge* e : frame) outdoor_vertex(end, *e);
+        Box place;
+        place.add(occluders_.point(end));
+        for (const OccluderEdge* e : frame) outdoor_vertex(end, *e, overlap(around, place));
       }
     }
   }
@@ -245,7 +248,8 @@ class WedgeMaker {
     if (free) occluder_vertex(part, vertex, free);
   }
 
-  void outdoor_vertex(std::uint32_t vertex, const OccluderEdge& e) {
+  /// @param at_opening  the vertex is one of what surrounds the opening: past that some sky may be seen beside what stands farther off
+  void outdoor_vertex(std::uint32_t vertex, const OccluderEdge& e, bool at_opening) {
     if (e.ends[0] == vertex || e.ends[1] == vertex) return;
     const Point& p = occluders_.point(vertex);
     Wedge wedge;
@@ -265,7 +269,7 @@ class WedgeMaker {
       silhouette = true;
       if (!lies_in(outdoors.direction, wedge.free_side)) continue;
       wedge.order = 1;
-      wedge.no_sky = wedge.no_sky || is_no_sky(e, occluders_.ends(outdoors), wedge.free_side);
+      wedge.no_sky = wedge.no_sky || (!at_opening && is_no_sky(e, occluders_.ends(outdoors), wedge.free_side));
     }
     if (!silhouette) return;
     wedge.occluder = occluders_.sheets(e)[0].face;

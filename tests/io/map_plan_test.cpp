@@ -25,6 +25,19 @@ TEST(MapPlan, KeepsDistancesAndHasItsNorth) {
   EXPECT_NEAR(plan.north.y, std::sqrt(0.75), 1e-12);
 }
 
+TEST(MapPlan, NoSkyLinesLieInThePlaneOfTheirSensors) {
+  auto grid = test::office_grid();
+  const double z = grid.sensors.positions[0].z;
+  const std::vector<std::array<mesh::Point, 2>> lines{
+      {{{1, 4, z}, {2, 4, z}}}, {{{1, 5, z}, {4, 5, z}}}, {{{1, 4, z + 0.1}, {5, 4, z + 0.1}}}};
+  const MapPlan plan = lay_flat(grid.sensors, 0.0, lines);
+  ASSERT_EQ(plan.no_sky.size(), 2U);  // the third is in no plane; the longest first
+  EXPECT_NEAR(plan.no_sky[0][1].x - plan.no_sky[0][0].x, 3.0, 1e-12);
+  const MapPoint& sensor = plan.positions[0];
+  EXPECT_NEAR(plan.no_sky[0][0].y - sensor.y, 5.0 - grid.sensors.positions[0].y, 1e-12);
+  EXPECT_NEAR(plan.no_sky[1][0].x - sensor.x, 1.0 - grid.sensors.positions[0].x, 1e-12);
+}
+
 TEST(MapPlan, ALongPlanOnEndIsTurnedToTheRight) {
   const MapPlan plan = lay_flat(test::make_grid({.columns = 4, .rows = 40}, uniform).sensors, 0.0);
   EXPECT_NEAR(plan.box.width(), 10.0, 1e-12);

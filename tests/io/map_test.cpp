@@ -120,6 +120,26 @@ TEST_F(Map, DrawsAnIsolineWhereARampHasItsValue) {
   }
 }
 
+TEST_F(Map, DrawsTheNoSkyLineAndItsName) {
+  auto grid = test::office_grid();
+  const Picture without = draw(grid);
+  const double z = grid.sensors.positions[0].z;
+  grid.no_sky = {{{{0.5, 4.0, z}, {5.5, 4.0, z}}}};
+  const MapPlan plan = lay_flat(grid.sensors, 0.0, grid.no_sky);
+  const MapLayout layout = layout_map(plan);
+  const Picture with = draw(grid);
+  constexpr Rgb kSkyLine{16, 52, 140};
+  const Pixel from = layout.pixel(plan.no_sky[0][0]);
+  const Pixel to = layout.pixel(plan.no_sky[0][1]);
+  int on_line = 0;
+  for (double x = from.x + 2.0; x < to.x - 2.0; x += 1.0) {
+    on_line += difference(with.at(x, from.y), kSkyLine) < 12 ? 1 : 0;
+  }
+  EXPECT_GT(on_line, 0.9 * (to.x - from.x - 4.0));
+  // The letters stand beside the line.
+  EXPECT_GT(with.count(kSkyLine), without.count(kSkyLine) + on_line + 60);
+}
+
 TEST_F(Map, CopesWithGridsOfEveryKind) {
   const auto one = test::make_grid({.columns = 1, .rows = 1}, [](double, double) { return 1.2; });
   auto dot = one;

@@ -2,6 +2,7 @@
 // The sample gives the numbers that its README states. They come from the path tracer of tests/support, not from the program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -53,6 +54,28 @@ TEST(SampleOffice, GivesTheNumbersOfItsReadme) {
     EXPECT_NEAR(found.at(name), figure.value, figure.tolerance) << name;
   }
   EXPECT_TRUE(results.accuracy_met);
+}
+
+TEST(SampleOffice, NoSkyLineIsWhereHeadAndRoofOppositeAreInLine) {
+  const auto input = io::read_study(samples_dir() / "office" / "office.toml",
+                                    {.kind = lighting::Study::Kind::kDaylight, .set = {"accuracy.target=0.2"}});
+  const lighting::GridResult grid = answer(input.study).grids.at(0);
+  // The head of the wall's outer edge (y = -0.3, z = 2.4), the roof opposite (y = -18, z = 8.7), sensors at z = 0.8.
+  const double y = -0.3 + (2.4 - 0.8) * (18.0 - 0.3) / (8.7 - 2.4);
+  double low = 6.0;
+  double high = 0.0;
+  ASSERT_FALSE(grid.no_sky.empty());
+  for (const auto& line : grid.no_sky) {
+    for (const mesh::Point& p : line) {
+      EXPECT_NEAR(p.y, y, 0.01);
+      EXPECT_NEAR(p.z, 0.8, 1e-6);
+      low = std::min(low, p.x);
+      high = std::max(high, p.x);
+    }
+  }
+  // From wall to wall but for what the partition hides.
+  EXPECT_NEAR(low, 0.0, 0.01);
+  EXPECT_NEAR(high, 6.0, 0.01);
 }
 
 }  // namespace
