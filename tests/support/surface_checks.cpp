@@ -38,6 +38,51 @@ std::vector<Point> clip(const std::vector<Point>& polygon, const Point& a, const
   return result;
 }
 
+double perimeter(const Faces& faces, const mesh::Face& face) {
+  double sum = 0.0;
+  for (const auto& loop : face.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      sum += norm(faces.shape.vertices[loop[(i + 1) % loop.size()]] - faces.shape.vertices[loop[i]]);
+    }
+  }
+  return sum;
+}
+
+/// Whether a point lies on a segment, off its ends.
+bool is_inside(const Point& p, const Point& a, const Point& b) {
+  const Vector along = b - a;
+  const double length = norm(along);
+  const double at = dot(p - a, along) / length;
+  return at > 1e-9 && at < length - 1e-9 && norm(p - (a + (at / length) * along)) < 1e-9;
+}
+
+/// The faults of one face's edges.
+void check_edges(const Faces& faces, const Triangulation& mesh, FaceId id, MeshFaults& faults) {
+  std::map<std::array<std::uint32_t, 2>, bool> edges;  // directed, whether constrained
+  for (const Triangle& t : mesh.of(id)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool constrained = (t.constrained >> k & 1U) != 0;
+      if (!edges.insert({{t.vertices[k], t.vertices[(k + 1) % 3]}, constrained}).second) ++faults.edges_used_twice;
+    }
+  }
+  double outline = 0.0;
+  std::vector<std::array<std::uint32_t, 2>> single;
+  for (const auto& [edge, constrained] : edges) {
+    if (edges.contains({edge[1], edge[0]})) continue;
+    if (!constrained) ++faults.open_edges;
+    outline += norm(mesh.vertices[edge[1]] - mesh.vertices[edge[0]]);
+    single.push_back(edge);
+  }
+  // A vertex inside of an edge would be on one that its neighbour does not share.
+  for (const auto& edge : single) {
+    for (const auto& other : single) {
+      if (is_inside(mesh.vertices[other[0]], mesh.vertices[edge[0]], mesh.vertices[edge[1]])) ++faults.loose_vertices;
+    }
+  }
+  const double expected = perimeter(faces, faces.faces[id.index()]);
+  faults.outline_error = std::max(faults.outline_error, std::abs(outline - expected) / expected);
+}
+
 double reach(const std::vector<Point>& polygon, const Point& a, const Vector& direction) {
   double most = 0.0;
   for (const Point& p : polygon) most = std::max(most, dot(p - a, direction));
@@ -59,6 +104,21 @@ std::vector<FaceId> faces_of(const Faces& faces, std::string_view name) {
     if (faces.faces[f].material == wanted) found.emplace_back(f);
   }
   return found;
+}
+
+MeshFaults mesh_faults(const Faces& faces, const Triangulation& mesh) {
+  MeshFaults faults;
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    const FaceId id(f);
+    for (const Triangle& t : mesh.of(id)) {
+      const auto c = corners(mesh, t);
+      if (!(dot(cross(c[1] - c[0], c[2] - c[0]), faces.faces[f].frame.w) > 0.0)) ++faults.turned_or_empty;
+    }
+    check_edges(faces, mesh, id, faults);
+    const double expected = faces.faces[f].area_m2;
+    faults.area_error = std::max(faults.area_error, std::abs(area_of(mesh, mesh.of(id)) - expected) / expected);
+  }
+  return faults;
 }
 
 double area_of(const Triangulation& mesh, std::span<const Triangle> triangles) {

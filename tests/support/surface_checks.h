@@ -27,6 +27,18 @@ std::size_t region_count(const mesh::Triangulation& mesh, mesh::FaceId face);
 /// consistently wound surfaces whose triangles meet vertex to vertex.
 std::size_t unbalanced_edges(const mesh::Faces& faces, std::string_view part);
 
+/// What is wrong with a mesh of faces; all zero where it is conforming.
+struct MeshFaults {
+  std::size_t turned_or_empty = 0;   ///< triangles whose area seen from the front is not positive
+  std::size_t edges_used_twice = 0;  ///< in one direction, by triangles of one face
+  std::size_t open_edges = 0;        ///< of one triangle of the face alone, but not marked as constrained
+  std::size_t loose_vertices = 0;    ///< vertices of a face inside of an edge of its mesh, within 1e-9 m
+  double outline_error =
+      0.0;  ///< largest difference of the length of a face's edges of one triangle from its loops', relative
+  double area_error = 0.0;  ///< largest difference of the triangles' area from their face's, relative
+};
+MeshFaults mesh_faults(const mesh::Faces& faces, const mesh::Triangulation& mesh);
+
 /// Vertices of the shape that lie on an edge of the shape, between its ends, within the distance [m]. O(n²).
 std::size_t vertices_on_edges(const mesh::Faces& faces, double distance = 1.9e-5);
 
