@@ -392,7 +392,9 @@ constexpr StudyKey kKeys[] = {
     {.path = "mesh.max_elements",
      .type = kInteger,
      .fallback = "1000000",
-     .meaning = "The budget of elements. Refinement stops there, and the summary says so.",
+     .meaning =
+         "Most triangles of the surfaces on which shadow lines are kept; beyond it the lightest lines are left out, "
+         "`over_cap` in the summary.",
      .low = 1000.0,
      .high = 1e8},
 

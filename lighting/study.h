@@ -50,7 +50,7 @@ struct Accuracy {
 /// The mesh of the surfaces.
 struct MeshRequest {
   bool discontinuities = true;           ///< lines of discontinuity are edges of what is shown
-  std::size_t max_elements = 1'000'000;  ///< refinement stops there, whatever the accuracy
+  std::size_t max_elements = 1'000'000;  ///< triangles of the surfaces with such lines
 };
 
 /// A study in memory: what io reads, and what run() answers.

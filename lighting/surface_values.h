@@ -16,7 +16,7 @@ namespace clerestory::lighting {
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors);
 
 /// The same, where shadows fall on a mesh with the lines of discontinuity in it: there what comes straight from sources is computed at each
-/// point and at the middle of each cell, and only the rest is the line of the solution's elements. Points are split at lines where light jumps.
+/// point, and only the rest is the line of the solution's elements. Points are split at lines where light jumps.
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors, const ShadowMesh& shadows,
                              const StraightLight& straight);
 
