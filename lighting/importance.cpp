@@ -35,7 +35,7 @@ constexpr double kAreaShare = 0.01;  ///< so much importance lies on all surface
 
 /// A grid far darker or brighter than all together counts by no more than this.
 constexpr double kLeastWeightOfGrid = 0.2;
-constexpr double kMostWeightOfGrid = 50.0;
+constexpr double kMostWeightOfGrid = 5000.0;
 
 struct Deposit {
   ElementId node;
@@ -123,12 +123,11 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
   return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
 }
 
-/// How much the light of each grid's sensors counts: one over its mean, as a share of the mean of all.
+/// Mean illuminance of each grid's sensors as their walks saw it [lux]; zero where none walked.
 template <class GridOf>
-std::vector<double> weights_of_grids(const std::vector<Walked>& walked, GridOf grid_of) {
+std::vector<double> means_of_grids(const std::vector<Walked>& walked, GridOf grid_of) {
   std::vector<double> lux;
   std::vector<double> counts;
-  double mean = 0.0;
   for (std::size_t i = 0; i < walked.size(); ++i) {
     const std::size_t grid = grid_of(i);
     if (grid >= lux.size()) {
@@ -137,12 +136,28 @@ std::vector<double> weights_of_grids(const std::vector<Walked>& walked, GridOf g
     }
     lux[grid] += walked[i].lux;
     counts[grid] += 1.0;
-    mean += walked[i].lux / static_cast<double>(walked.size());
   }
-  std::vector<double> weights(lux.size(), 1.0);
-  for (std::size_t g = 0; g < lux.size(); ++g) {
-    if (counts[g] > 0.0 && mean > 0.0)
-      weights[g] = std::clamp(mean * counts[g] / std::max(lux[g], mean * 1e-9), kLeastWeightOfGrid, kMostWeightOfGrid);
+  for (std::size_t g = 0; g < lux.size(); ++g) lux[g] /= std::max(1.0, counts[g]);
+  return lux;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How much the light of each grid's sensors counts: one over its mean, as a share of the mean of all sensors. Grids darker than most
+/// count more still: weak light has come by many links, each with an error of its own.
+/// @param mean_lux  of all sensors
+std::vector<double> weights_of_grids(const std::vector<double>& means_lux, double mean_lux) {
+  if (means_lux.empty() || mean_lux <= 0.0) return std::vector<double>(means_lux.size(), 1.0);
+  const double typical = median_of(means_lux);
+  std::vector<double> weights;
+  for (const double lux : means_lux) {
+    const double own = std::max(lux, 1e-9 * mean_lux);
+    const double darker = std::max(1.0, typical / own);
+    weights.push_back(std::clamp(mean_lux / own * std::sqrt(darker), kLeastWeightOfGrid, kMostWeightOfGrid));
   }
   return weights;
 }
@@ -174,10 +189,10 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
   const auto grid_of = [&](std::size_t walker) {
     return grids.empty() ? 0U : grids[walker * positions.size() / walkers];
   };
-  const std::vector<double> weights = weights_of_grids(walked, grid_of);
+  for (const Walked& w : walked) mean_lux_ += w.lux / static_cast<double>(walkers);
+  const std::vector<double> weights = weights_of_grids(means_of_grids(walked, grid_of), mean_lux_);
   std::vector<Deposit> deposits;
   for (std::size_t i = 0; i < walkers; ++i) {
-    mean_lux_ += walked[i].lux / static_cast<double>(walkers);
     for (Deposit d : walked[i].deposits) {
       d.weight *= static_cast<float>(weights[grid_of(i)]);
       deposits.push_back(d);

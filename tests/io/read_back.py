@@ -119,6 +119,18 @@ def check_surfaces(folder, summary):
     return count
 
 
+def check_lines(folder):
+    where = "discontinuities.vtp"
+    data = read_polygons(folder / where)
+    count = data.GetNumberOfLines()
+    expect(count > 0 and count == data.GetNumberOfCells(), f"{where}: {count} lines of {data.GetNumberOfCells()} cells")
+    orders = values(data.GetCellData(), "order", count, where)
+    expect(set(orders) <= {0.0, 1.0, 2.0}, f"{where}: orders {set(orders)}")
+    for name in ("source", "occluder"):
+        expect(data.GetCellData().GetAbstractArray(name) is not None, f"{where}: no array {name}")
+    return count
+
+
 def check_collection(folder, counts):
     reader = vtkXMLMultiBlockDataReader()
     reader.SetFileName(str(folder / "result.vtm"))
@@ -141,6 +153,8 @@ def main():
     expect(grids, f"{folder}: no grid")
     counts = {name: check_grid(folder, name, summary) for name in grids}
     counts["surfaces"] = check_surfaces(folder, summary)
+    if "discontinuities.vtp" in summary["files"]:
+        counts["discontinuities"] = check_lines(folder)
     check_collection(folder, counts)
     print("\n".join(complaints) or f"{folder.name}: cells {counts}")
     return 1 if complaints else 0
