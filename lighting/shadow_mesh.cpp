@@ -63,18 +63,6 @@ double extent(const mesh::ElementTree& tree, ElementId e, const Vector& across) 
   return high - low;
 }
 
-double illuminance_at(const Solution& solution, ElementId e, const Point& point) {
-  const Vector d = point - solution.tree().centroid(e);
-  const auto values = solution.irradiance(e);
-  double sum = 0.0;
-  for (std::size_t c = 0; c < values.size(); ++c) {
-    sum +=
-        solution.scene().channel_weights[c] * (values[c].value + values[c].slope_u * dot(d, solution.tree().axes(e).u) +
-                                               values[c].slope_v * dot(d, solution.tree().axes(e).v));
-  }
-  return sum;
-}
-
 /// About the longest edge of the elements at a point of a face.
 double size_at(const Solution& solution, const std::vector<std::uint8_t>& lit, FaceId face, const Point& point) {
   double size = std::numeric_limits<double>::infinity();
@@ -99,7 +87,7 @@ LineOptions line_options(const Solution& solution, double accuracy, double scale
     const Point middle = midpoint(line.ends[0], line.ends[1]);
     const ElementId e = element_at(solution, {line.face, line.side}, middle);
     if (!e.valid()) return {};
-    return {extent(solution.tree(), e, across), std::max(illuminance_at(solution, e, middle), kDarkShare * scale_lux)};
+    return {extent(solution.tree(), e, across), std::max(solution.illuminance_at(e, middle), kDarkShare * scale_lux)};
   };
   return options;
 }

@@ -81,6 +81,17 @@ std::vector<ElementId> Solution::elements() const {
   return found;
 }
 
+double Solution::illuminance_at(ElementId e, const mesh::Point& point) const {
+  const Vector d = point - tree_.centroid(e);
+  const auto values = irradiance(e);
+  double sum = 0.0;
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    sum += scene_->channel_weights[c] * (values[c].value + values[c].slope_u * dot(d, tree_.axes(e).u) +
+                                         values[c].slope_v * dot(d, tree_.axes(e).v));
+  }
+  return sum;
+}
+
 float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t channel, bool with_emission) const {
   const mesh::FaceSide side = tree_.face_side(e);
   const mesh::Frame& axes = tree_.axes(e);

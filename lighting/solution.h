@@ -115,6 +115,8 @@ class Solution {
     return luminance(scene_->side_reflectance(tree_.face_side(e)), scene_->channel_weights);
   }
 
+  /// Luminance-weighted illuminance at a point of an element, by its line, which may be below zero at its edges [lux].
+  [[nodiscard]] double illuminance_at(mesh::ElementId e, const mesh::Point& point) const;
   /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
   [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
                                    bool with_emission) const;

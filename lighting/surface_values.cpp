@@ -109,14 +109,7 @@ class SurfaceWriter {
 
  private:
   [[nodiscard]] double illuminance_at(ElementId e, const Point& p) const {
-    const Vector d = p - tree_.centroid(e);
-    const auto values = solution_.irradiance(e);
-    double sum = 0.0;
-    for (std::size_t c = 0; c < values.size(); ++c) {
-      sum += solution_.scene().channel_weights[c] * (values[c].value + values[c].slope_u * dot(d, tree_.axes(e).u) +
-                                                     values[c].slope_v * dot(d, tree_.axes(e).v));
-    }
-    return std::max(0.0, sum);
+    return std::max(0.0, solution_.illuminance_at(e, p));
   }
 
   std::uint32_t add_point(const Point& p, const Vector& normal) {
