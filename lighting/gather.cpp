@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lighting/dark_share.h"
 #include "lighting/form_factor.h"
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
@@ -41,8 +42,6 @@ constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
 constexpr double kClearShare = 0.1;
 constexpr std::uint32_t kMostClearRays = 256;
 constexpr std::uint32_t kMostDarkRays = 256;  ///< a replicate, until half of them have met light
-/// Sensors darker than this share of the grid's mean need not be better than one of that illuminance.
-constexpr double kDarkShare = 0.05;
 
 /// Replicates of fewer rays than this must agree better before sampling stops: if all of them have missed a bright spot, they agree.
 constexpr double kManyRays = 8.0;

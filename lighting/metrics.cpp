@@ -3,14 +3,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "lighting/dark_share.h"
 #include "lighting/grids.h"
 
 namespace clerestory::lighting {
 
 namespace {
 
-/// Errors of sensors darker than this share of the mean count against this share of it [docs/theory/accuracy.md].
-constexpr double kDarkShare = 0.05;
 /// This share of the sensors must be within twice the target.
 constexpr double kShareWithinTwice = 0.95;
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lighting/dark_share.h"
 #include "mesh/element_tree.h"
 
 namespace clerestory::lighting {
@@ -21,8 +22,6 @@ using mesh::Vector;
 
 namespace {
 
-/// Places darker than this share of the scale need not be better than one of that illuminance [docs/theory/accuracy.md].
-constexpr double kDarkShare = 0.05;
 /// Elements are not asked to be smaller than this, and lines shorter than it are left out [m].
 constexpr double kFinestM = 0.1;
 /// Longest edge where the solution's elements are the only bound [m].
