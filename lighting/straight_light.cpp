@@ -13,6 +13,7 @@
 #include "lighting/point_light.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
+#include "mesh/seen_parts.h"
 
 namespace clerestory::lighting {
 
@@ -25,6 +26,8 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Towards openings that hardly matter.
 constexpr std::uint32_t kFewRays = 4;
+/// Where more stand before a lamp, rays are quicker than clipping.
+constexpr std::size_t kMostBlockers = 32;
 /// The same random numbers serve at all points: differences between these are then the light's own.
 constexpr std::uint64_t kSeed = 0x57A1;
 
@@ -159,33 +162,59 @@ void StraightLight::from_emitter(const Emitter& emitter, const Point& from, cons
                                  std::vector<double>& lux) const {
   const mesh::ElementTree& tree = solution_.tree();
   std::array<mesh::OutlineEdge, 3> scratch;
-  const Vector& facing = tree.normal(emitter.source);
-  double factor = point_form_factor(from, normal, tree.outline(emitter.source, scratch), facing);
+  double factor = point_form_factor(from, normal, tree.outline(emitter.source, scratch), tree.normal(emitter.source));
   if (factor <= 0.0) return;
   if (!emitter.wholly_seen) {
-    // The share that is seen, each place weighed by what it gives.
-    const double lift = solution_.scene().rays->offset_m();
-    const SobolPoints numbers(mesh::hash(kSeed, tree.key(emitter.source)));
-    std::vector<mesh::Segment> segments(rays_);
-    std::vector<double> kernel(rays_);
-    std::vector<float> passed(rays_);
-    for (std::uint32_t i = 0; i < rays_; ++i) {
-      const Point q = tree.sample(emitter.source, numbers.at(i, 0), numbers.at(i, 1));
-      const Vector to = q - from;
-      const double distance2 = dot(to, to);
-      kernel[i] = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, facing)) / (distance2 * distance2);
-      segments[i] = {from, q + lift * facing};
-    }
-    solution_.scene().rays->transmittance(segments, passed);
-    double seen = 0.0;
-    double all = 0.0;
-    for (std::uint32_t i = 0; i < rays_; ++i) {
-      seen += kernel[i] * passed[i];
-      all += kernel[i];
-    }
-    factor *= all > 0.0 ? seen / all : 0.0;
+    const auto exact = seen_factor(emitter.source, from, normal);
+    factor = exact ? *exact : factor * seen_share(emitter.source, from, normal);
   }
   for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * solution_.radiosity(emitter.source)[c];
+}
+
+/// The form factor of what is seen of a surface, triangle by triangle; nothing where panes or a crowd stand before it.
+std::optional<double> StraightLight::seen_factor(ElementId source, const Point& from, const Vector& normal) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& facing = tree.normal(source);
+  std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
+  double factor = 0.0;
+  for (const std::array<Point, 3>& triangle : tree.triangles(source)) {
+    const mesh::ShaftEnd eye{.corners = {from}, .count = 1, .normal = {}};
+    const mesh::ShaftEnd lamp{
+        .corners = {triangle[0], triangle[1], triangle[2]}, .count = triangle.size(), .normal = facing};
+    const auto blockers = solution_.scene().shafts->blockers(eye, lamp, kMostBlockers);
+    if (!blockers) return std::nullopt;
+    const auto parts = mesh::seen_parts(from, triangle, *blockers);
+    if (!parts) return std::nullopt;
+    for (const mesh::ConvexPiece& part : *parts)
+      factor += point_form_factor(from, normal, part.outline(scratch), facing);
+  }
+  return factor;
+}
+
+/// The share of a surface's light that comes through, by rays, each place weighed by what it gives.
+double StraightLight::seen_share(ElementId source, const Point& from, const Vector& normal) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const Vector& facing = tree.normal(source);
+  const double lift = solution_.scene().rays->offset_m();
+  const SobolPoints numbers(mesh::hash(kSeed, tree.key(source)));
+  std::vector<mesh::Segment> segments(rays_);
+  std::vector<double> kernel(rays_);
+  std::vector<float> passed(rays_);
+  for (std::uint32_t i = 0; i < rays_; ++i) {
+    const Point q = tree.sample(source, numbers.at(i, 0), numbers.at(i, 1));
+    const Vector to = q - from;
+    const double distance2 = dot(to, to);
+    kernel[i] = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, facing)) / (distance2 * distance2);
+    segments[i] = {from, q + lift * facing};
+  }
+  solution_.scene().rays->transmittance(segments, passed);
+  double seen = 0.0;
+  double all = 0.0;
+  for (std::uint32_t i = 0; i < rays_; ++i) {
+    seen += kernel[i] * passed[i];
+    all += kernel[i];
+  }
+  return all > 0.0 ? seen / all : 0.0;
 }
 
 }  // namespace clerestory::lighting

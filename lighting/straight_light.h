@@ -13,14 +13,14 @@
 namespace clerestory::lighting {
 
 /// The local pass of hierarchical radiosity [Lischinski, Tampieri, Greenberg 1993]: what comes straight from the sky, through openings, from
-/// point sources and from surfaces that shine is computed anew at single points, where the solution has it as lines over nodes. All
-/// else is taken from the solution. Safe to call from many threads.
+/// point sources and from surfaces that shine is computed anew at single points, where the solution has it as lines over nodes: of surfaces that shine exactly, by clipping
+/// them by what stands before them, of openings by rays. All else is taken from the solution. Safe to call from many threads.
 class StraightLight {
  public:
   /// @param solution  solved; kept by reference
   /// @param direct    what light_directly() gave before it was solved
   /// @param links     of the transport; those made by rays may be among them
-  /// @param rays      towards each source that is not wholly seen
+  /// @param rays      towards each opening, and towards surfaces of which a part is hidden by so much that clipping them would take longer
   StraightLight(const Solution& solution, DirectLight direct, std::span<const Link> links, std::uint32_t rays);
 
   /// Straight light at a point of an element [lux, per channel]; nothing where that of the solution is as good: where form factors were made
@@ -44,6 +44,9 @@ class StraightLight {
   void from_open_sky(const mesh::Point& from, const mesh::Vector& normal, std::vector<double>& lux) const;
   void from_emitter(const Emitter& emitter, const mesh::Point& from, const mesh::Vector& normal,
                     std::vector<double>& lux) const;
+  [[nodiscard]] std::optional<double> seen_factor(mesh::ElementId source, const mesh::Point& from,
+                                                  const mesh::Vector& normal) const;
+  [[nodiscard]] double seen_share(mesh::ElementId source, const mesh::Point& from, const mesh::Vector& normal) const;
 
   const Solution& solution_;
   std::vector<NodeDirect> nodes_;

@@ -31,7 +31,7 @@ constexpr double kGrainOfFaces = 5e-5;
 constexpr double kSmoothCosine = 0.99985;
 
 /// Straight light at a corner of a cell is computed this far inside of it [m], or this share of the way to its middle.
-constexpr double kOffCorners = 1e-3;
+constexpr double kOffCorners = 1e-4;
 constexpr double kOffCornersShare = 0.1;
 
 /// Start triangles of an element: itself, or those of its group.

@@ -206,11 +206,9 @@ bool Shafts::covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) co
   return true;
 }
 
-Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
-  if (nodes_.empty()) return Visibility::kVisible;
-  const Shaft shaft(a, b);
-  bool clear = true;
-  int tries = 0;
+template <class Visit>
+void Shafts::visit(const Shaft& shaft, const Visit& visit) const {
+  if (nodes_.empty()) return;
   std::array<std::uint32_t, 64> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
@@ -224,13 +222,36 @@ Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
       continue;
     }
     for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i) {
-      if (shaft.misses(pieces_[i])) continue;
-      clear = false;
-      if (covers(pieces_[i], a, b)) return Visibility::kHidden;
-      if (++tries >= kCoverTries) return Visibility::kPartial;
+      if (!shaft.misses(pieces_[i]) && !visit(pieces_[i])) return;
     }
   }
-  return clear ? Visibility::kVisible : Visibility::kPartial;
+}
+
+Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
+  Visibility seen = Visibility::kVisible;
+  int tries = 0;
+  visit(Shaft(a, b), [&](const Piece& piece) {
+    seen = covers(piece, a, b) ? Visibility::kHidden : Visibility::kPartial;
+    return seen == Visibility::kPartial && ++tries < kCoverTries;
+  });
+  return seen;
+}
+
+std::optional<std::vector<std::span<const Point>>> Shafts::blockers(const ShaftEnd& a, const ShaftEnd& b,
+                                                                    std::size_t most) const {
+  std::vector<std::span<const Point>> found;
+  bool all = true;
+  visit(Shaft(a, b), [&](const Piece& piece) {
+    const auto& outline = convex_outline_[piece.face];
+    const std::span<const Point> polygon = outline.empty() ? std::span<const Point>(piece.corners) : outline;
+    const auto same = [&](std::span<const Point> other) { return other.data() == polygon.data(); };
+    if (std::any_of(found.begin(), found.end(), same)) return true;
+    all = !piece.passable && found.size() < most;
+    if (all) found.push_back(polygon);
+    return all;
+  });
+  if (!all) return std::nullopt;
+  return found;
 }
 
 }  // namespace clerestory::mesh

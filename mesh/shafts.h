@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,13 @@ class Shafts {
 
   [[nodiscard]] Visibility classify(const ShaftEnd& a, const ShaftEnd& b) const;
 
+  /// The opaque faces that reach into the hull of both ends, as convex polygons that may reach out of it: faces whose outline is convex, of
+  /// others the triangles that do. The spans are of the shafts.
+  /// @param most  polygons that are wanted
+  /// @return nothing where there are more, or where a passable face reaches in
+  [[nodiscard]] std::optional<std::vector<std::span<const Point>>> blockers(const ShaftEnd& a, const ShaftEnd& b,
+                                                                            std::size_t most) const;
+
  private:
   struct Node {
     Box box;
@@ -46,6 +55,9 @@ class Shafts {
   };
   struct Shaft;
 
+  /// Calls visit(piece) for those that reach into a shaft, as long as it returns true.
+  template <class Visit>
+  void visit(const Shaft& shaft, const Visit& visit) const;
   void build(std::uint32_t begin, std::uint32_t end);
   [[nodiscard]] bool covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const;
 

@@ -79,7 +79,7 @@ TEST(StraightLight, OfALampIsExactInLightAndUmbraAndByItsVisiblePartInThePenumbr
   EXPECT_NEAR(lit.at(clear), by_lamp(clear, 1.5, 2.0), 1e-4 * by_lamp(clear, 1.5, 2.0));
   // The plane through the edge y = 2, z = 2.2 and the lamp's middle y = 1.75 meets the floor at y = 2 + 2.2 · 0.25 / 0.7.
   const Point half{2, 2.0 + 2.2 * 0.25 / 0.7, 0};
-  EXPECT_NEAR(lit.at(half), by_lamp(half, 1.5, 1.75), 0.01 * by_lamp(half, 1.5, 1.75));
+  EXPECT_NEAR(lit.at(half), by_lamp(half, 1.5, 1.75), 1e-4 * by_lamp(half, 1.5, 1.75));
   EXPECT_EQ(lit.at({2, 2.0 + 2.2 * 0.55 / 0.7, 0}), 0.0);
 }
 

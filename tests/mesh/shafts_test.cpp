@@ -143,6 +143,24 @@ TEST(Shafts, PointIsAnEndToo) {
   EXPECT_EQ(Site(squares_and(wall)).classify(kLower, kUpper), Visibility::kPartial);
 }
 
+TEST(Shafts, BlockersAreWholeConvexFacesUnlessPanesOrTooMany) {
+  Model model = support::facing_squares(1.0);
+  support::add_quad(model, {-1, -1, 0.5}, {0.5, -1, 0.5}, {0.5, 2, 0.5}, {-1, 2, 0.5}, {"plate", "plate"});
+  support::add_quad(model, {2, 2, 0.5}, {3, 2, 0.5}, {3, 3, 0.5}, {2, 3, 0.5}, {"plate", "beside"});
+  const Site site(model);
+  ShaftEnd lower = kLower;
+  ShaftEnd upper = kUpper;
+  for (ShaftEnd* e : {&lower, &upper}) {
+    for (std::size_t i = 0; i < e->count; ++i) e->corners[i] = e->corners[i] - site.faces.origin;
+  }
+  const auto blockers = site.shafts.blockers(lower, upper, 1);
+  ASSERT_TRUE(blockers);
+  ASSERT_EQ(blockers->size(), 1U);
+  EXPECT_EQ(blockers->front().size(), 4U);
+  EXPECT_FALSE(site.shafts.blockers(lower, upper, 0));
+  EXPECT_FALSE(Site(model, "plate").shafts.blockers(lower, upper, 1));
+}
+
 TEST(Shafts, NoFacesHideNothing) {
   const Faces none;
   EXPECT_EQ(Shafts(none, {}).classify(kLower, kUpper), Visibility::kVisible);
