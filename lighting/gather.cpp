@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "lighting/dark_share.h"
-#include "lighting/form_factor.h"
+#include "lighting/emitters.h"
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
@@ -80,13 +80,6 @@ std::uint32_t first_rays(double accuracy) {
   return 1U << static_cast<unsigned>(std::clamp(doublings, 0.0, 8.0));
 }
 
-/// A surface that shines, as the sensors see it.
-struct Emitter {
-  ElementId root;
-  double exitance = 0.0;  ///< [lm/m²]
-  mesh::ShaftEnd end;
-};
-
 struct SensorState {
   std::vector<Part> parts;
   double exact_lux = 0.0;           ///< proven views of emitters, point sources
@@ -147,17 +140,12 @@ double sampling_goal(const SensorState& state, double allowed_lux) {
 class Gatherer {
  public:
   Gatherer(const Solution& solution, const SolutionErrors& errors, double accuracy, std::uint64_t seed)
-      : solution_(solution), errors_(errors), seed_(seed), first_rays_(first_rays(accuracy)) {
+      : solution_(solution),
+        errors_(errors),
+        seed_(seed),
+        first_rays_(first_rays(accuracy)),
+        emitters_(emitters(solution)) {
     for (const Opening& opening : scene().openings) opening_ends_.push_back(shaft_end(opening));
-    for (const ElementId root : solution.tree().roots()) {
-      const auto exitance = scene().side_exitance(solution.tree().face_side(root));
-      const double m = luminance(exitance, scene().channel_weights);
-      if (m <= 0.0) continue;
-      Emitter emitter{root, m, {}};
-      emitter.end.count = solution.tree().hull(root, emitter.end.corners);
-      emitter.end.normal = solution.tree().normal(root);
-      emitters_.push_back(emitter);
-    }
   }
 
   /// @param at  the sensor, lifted off what it may stand on
@@ -277,38 +265,26 @@ class Gatherer {
                        const Vector& normal) const {
     const Emitter& emitter = emitters_[part.which];
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const Point q = solution_.tree().sample(emitter.root, points.at(i, 0), points.at(i, 1));
-      const Vector to = q - at;
-      const double distance2 = dot(to, to);
-      const double kernel =
-          std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, emitter.end.normal)) / (distance2 * distance2);
-      if (kernel <= 0.0) continue;
-      const mesh::Segment segment{at, q + scene().rays->offset_m() * emitter.end.normal};
-      float passed = 0.0F;
-      scene().rays->transmittance({&segment, 1}, {&passed, 1});
-      part.sums[r] += part.full_lux * kernel * passed;
-      part.norms[r] += kernel;
+      const EmitterSample seen = sample(solution_, emitter, at, normal, points.at(i, 0), points.at(i, 1));
+      part.sums[r] += part.full_lux * seen.kernel * seen.passed;
+      part.norms[r] += seen.kernel;
     }
   }
 
   void see_emitter(std::uint32_t k, std::size_t sensor, const Point& at, const Vector& normal,
                    SensorState& state) const {
     const Emitter& emitter = emitters_[k];
-    std::array<mesh::OutlineEdge, 3> scratch;
-    const double factor =
-        point_form_factor(at, normal, solution_.tree().outline(emitter.root, scratch), emitter.end.normal);
-    if (factor <= kLeastFactor) return;
-    const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};
-    const Visibility visibility = scene().shafts->classify(own, emitter.end);
-    if (visibility == Visibility::kHidden) return;
-    if (visibility == Visibility::kVisible) {
-      state.exact_lux += emitter.exitance * factor;
+    const EmitterView view = look(solution_, emitter, at, normal);
+    if (view.visibility == Visibility::kHidden) return;
+    const double full_lux = emitter.exitance * view.factor;
+    if (view.visibility == Visibility::kVisible) {
+      state.exact_lux += full_lux;
       return;
     }
     Part part;
     part.kind = Part::Kind::kEmitter;
     part.which = k;
-    part.full_lux = emitter.exitance * factor;
+    part.full_lux = full_lux;
     extend(part, std::max(8U, first_rays_), sensor, at, normal, nullptr);
     if (part.mean() > 0.0) state.parts.push_back(part);
   }

@@ -8,18 +8,21 @@
 #include <ctime>
 #include <memory>
 #include <set>
+#include <span>
 #include <utility>
 
+#include "lighting/dark_share.h"
 #include "lighting/direct_light.h"
 #include "lighting/energy.h"
 #include "lighting/gather.h"
 #include "lighting/grids.h"
 #include "lighting/importance.h"
+#include "lighting/lit_mesh.h"
+#include "lighting/local_pass.h"
 #include "lighting/parallel.h"
 #include "lighting/radiosity.h"
 #include "lighting/scene.h"
-#include "lighting/shadow_mesh.h"
-#include "lighting/straight_light.h"
+#include "lighting/shown_mesh.h"
 #include "lighting/surface_values.h"
 #include "mesh/element_tree.h"
 #include "mesh/hash.h"
@@ -31,8 +34,6 @@ namespace {
 /// Error at the sensors that one node's direct light may cause, as a share of the accuracy: many such errors, of either sign, add up.
 /// Measured on the validation scenes.
 constexpr double kDirectShare = 0.002;
-/// Rays towards a source from a point in its shadow, times the accuracy: 32 at 2 %.
-constexpr double kShadowRays = 0.64;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -134,19 +135,19 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
 }
 
 /// The surfaces, with the lines of discontinuity in their mesh where these are asked for.
-void show_surfaces(const Study& study, const Solution& solution, const Transport& transport, DirectLight direct,
-                   double scale_lux, Results& results) {
+void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
+                   std::span<const NodeDirect> nodes, double scale_lux, Results& results) {
   if (!study.mesh.discontinuities) {
-    results.surfaces = surface_values(solution, transport.errors);
+    results.surfaces = surface_values(solution, errors);
     return;
   }
   const Scene& scene = solution.scene();
-  const ShadowMesh shadows = shadow_mesh(solution, study.accuracy.target, scale_lux, study.mesh.max_elements);
-  const auto rays = static_cast<std::uint32_t>(std::clamp(kShadowRays / study.accuracy.target, 4.0, 1024.0));
-  const StraightLight straight(solution, std::move(direct), transport.links, rays);
-  results.surfaces = surface_values(solution, transport.errors, shadows, straight);
-  results.shadow_lines = {element_lines(scene, shadows.found), shadows.found.selection, shadows.report};
-  for (GridResult& grid : results.grids) find_no_sky(shadows.found, scene.faces.origin, grid);
+  const double accuracy = study.accuracy.target;
+  const ShownMesh shown = shown_mesh(solution, errors, accuracy, scale_lux, study.mesh.max_elements);
+  const LocalPass local(solution, errors, nodes, accuracy, kDarkShare * scale_lux);
+  results.surfaces = surface_values(solution, errors, shown, light_mesh(solution, errors, shown, local));
+  results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
+  for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);
 }
 
 void conclude(const Study& study, const Scene& scene, Results& results) {
@@ -207,7 +208,7 @@ Results run(const Study& study, Progress& progress) {
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
 
   clock.begin("linking", progress);
-  DirectLight given = direct;
+  const std::vector<NodeDirect> given = direct.nodes;
   const Transport transport =
       solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
 
@@ -223,7 +224,7 @@ Results run(const Study& study, Progress& progress) {
   results.counts.iterations = transport.iterations;
 
   clock.begin("shadows", progress);
-  show_surfaces(study, solution, transport, std::move(given), importance.mean_lux(), results);
+  show_surfaces(study, solution, transport.errors, given, importance.mean_lux(), results);
   conclude(study, scene, results);
   clock.end();
   return results;

@@ -82,14 +82,15 @@ std::vector<ElementId> Solution::elements() const {
 }
 
 double Solution::illuminance_at(ElementId e, const mesh::Point& point) const {
-  const Vector d = point - tree_.centroid(e);
-  const auto values = irradiance(e);
   double sum = 0.0;
-  for (std::size_t c = 0; c < values.size(); ++c) {
-    sum += scene_->channel_weights[c] * (values[c].value + values[c].slope_u * dot(d, tree_.axes(e).u) +
-                                         values[c].slope_v * dot(d, tree_.axes(e).v));
-  }
+  for (std::size_t c = 0; c < channels(); ++c) sum += scene_->channel_weights[c] * illuminance_at(e, point, c);
   return sum;
+}
+
+double Solution::illuminance_at(ElementId e, const mesh::Point& point, std::size_t channel) const {
+  const Vector d = point - tree_.centroid(e);
+  const LinearValue& v = irradiance(e)[channel];
+  return v.value + v.slope_u * dot(d, tree_.axes(e).u) + v.slope_v * dot(d, tree_.axes(e).v);
 }
 
 float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t channel, bool with_emission) const {

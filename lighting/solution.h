@@ -117,6 +117,8 @@ class Solution {
 
   /// Luminance-weighted illuminance at a point of an element, by its line, which may be below zero at its edges [lux].
   [[nodiscard]] double illuminance_at(mesh::ElementId e, const mesh::Point& point) const;
+  /// The same in one channel.
+  [[nodiscard]] double illuminance_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel) const;
   /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
   [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
                                    bool with_emission) const;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lighting/lit_mesh.h"
 #include "lighting/results.h"
-#include "lighting/shadow_mesh.h"
+#include "lighting/shown_mesh.h"
 #include "lighting/solution.h"
 #include "lighting/solution_errors.h"
-#include "lighting/straight_light.h"
 
 namespace clerestory::lighting {
 
@@ -15,9 +15,8 @@ namespace clerestory::lighting {
 /// @param errors  of the solution
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors);
 
-/// The same, where shadows fall on a mesh with the lines of discontinuity in it: there what comes straight from sources is computed at each
-/// point, and only the rest is the line of the solution's elements. Points are split at lines where light jumps.
-SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors, const ShadowMesh& shadows,
-                             const StraightLight& straight);
+/// The same, but surfaces that have a mesh of their own are shown by it.
+SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
+                             const LitMesh& lit);
 
 }  // namespace clerestory::lighting

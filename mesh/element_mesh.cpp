@@ -205,7 +205,7 @@ Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshRep
   MeshReport told;
   const auto by_face = lines_by_face(faces, options.lines);
   for (std::size_t f = 0; f < faces.count(); ++f) {
-    if (options.lined_only && by_face[f].empty()) {
+    if (!options.wanted.empty() && options.wanted[f] == 0) {
       result.starts.push_back(static_cast<std::uint32_t>(result.triangles.size()));
       continue;
     }

@@ -98,7 +98,7 @@ struct MeshOptions {
   std::span<const FaceLine> lines{};  ///< in any order of faces; in each face the weightiest first
   /// Where given, the longest edge of an element at a point of a face as well [m].
   std::function<double(FaceId, const Point&)> size_at{};
-  bool lined_only = false;  ///< faces without lines get no triangles
+  std::span<const std::uint8_t> wanted{};  ///< [faces] zero: it gets no triangles; empty: all get some
   /// Lines, or parts of lines, nearer to each other than this are one, the first of them; no line is displaced by more [m].
   double line_distance_m = 1e-3;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lighting/shadow_mesh.h"
+#include "lighting/shown_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "lighting/dark_share.h"
@@ -63,10 +64,10 @@ double extent(const mesh::ElementTree& tree, ElementId e, const Vector& across) 
 }
 
 /// About the longest edge of the elements at a point of a face.
-double size_at(const Solution& solution, const std::vector<std::uint8_t>& lit, FaceId face, const Point& point) {
+double size_at(const Solution& solution, const std::vector<std::uint8_t>& shown, FaceId face, const Point& point) {
   double size = std::numeric_limits<double>::infinity();
   for (const mesh::Side side : {mesh::Side::kFront, mesh::Side::kBack}) {
-    if (lit[FaceSide{face, side}.index()] == 0) continue;
+    if (shown[FaceSide{face, side}.index()] == 0) continue;
     const ElementId e = element_at(solution, {face, side}, point);
     if (e.valid()) size = std::min(size, std::numbers::sqrt3 * solution.tree().radius(e));
   }
@@ -91,32 +92,50 @@ LineOptions line_options(const Solution& solution, double accuracy, double scale
   return options;
 }
 
-/// Meshes the faces of the lines found.
-void mesh_lines(const Solution& solution, ShadowMesh& result) {
+/// Meshes the faces of the lines found, and others that are shown.
+void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, ShownMesh& result) {
   const Scene& scene = solution.scene();
-  result.lit.assign(2 * scene.faces.count(), 0);
+  result.shown.assign(2 * scene.faces.count(), 0);
+  std::copy(others.begin(), others.end(), result.shown.begin());
   result.jump.assign(scene.faces.count(), 0);
   std::vector<mesh::FaceLine> lines;
   for (const mesh::DiscontinuityLine& line : result.found.lines) {
     lines.push_back({line.face, line.ends});
-    result.lit[FaceSide{line.face, line.side}.index()] = 1;
+    result.shown[FaceSide{line.face, line.side}.index()] = 1;
     if (line.order == 0) result.jump[line.face.index()] = 1;
   }
+  std::vector<std::uint8_t> wanted(scene.faces.count(), 0);
+  for (std::size_t s = 0; s < result.shown.size(); ++s) wanted[mesh::face_side(s).face.index()] |= result.shown[s];
   mesh::MeshOptions options;
   options.max_size_m = kNoBoundM;
   options.line_distance_m = kLineDistanceM;
-  options.lined_only = true;
+  options.wanted = wanted;
   options.lines = lines;
-  options.size_at = [&](FaceId face, const Point& p) { return size_at(solution, result.lit, face, p); };
+  options.size_at = [&](FaceId face, const Point& p) { return size_at(solution, result.shown, face, p); };
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
+/// Sides on which an element is less sure than it was asked to be [sides]. Points of curved parts lie on their limit surface, which a mesh of
+/// one facet does not know.
+std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, double accuracy,
+                                 double scale_lux) {
+  const Scene& scene = solution.scene();
+  std::vector<std::uint8_t> found(2 * scene.faces.count(), 0);
+  for (const ElementId e : solution.elements()) {
+    const FaceSide side = solution.tree().face_side(e);
+    if (!scene.faces.faces[side.face.index()].facets.empty()) continue;
+    const double level = std::max(solution.illuminance_at(e, solution.tree().centroid(e)), kDarkShare * scale_lux);
+    if (errors.point_error(solution, e) > accuracy * level) found[side.index()] = 1;
+  }
+  return found;
+}
+
 /// Lines of each face that are worth their triangles: all, or so many that these become few, as if their numbers grew alike.
-std::vector<std::size_t> worth_it(const ShadowMesh& shadows) {
-  std::vector<std::size_t> count(shadows.jump.size(), 0);
-  for (const mesh::DiscontinuityLine& line : shadows.found.lines) ++count[line.face.index()];
+std::vector<std::size_t> worth_it(const ShownMesh& shown) {
+  std::vector<std::size_t> count(shown.jump.size(), 0);
+  for (const mesh::DiscontinuityLine& line : shown.found.lines) ++count[line.face.index()];
   for (std::size_t f = 0; f < count.size(); ++f) {
-    const auto triangles = static_cast<double>(shadows.mesh.of(FaceId(f)).size());
+    const auto triangles = static_cast<double>(shown.mesh.of(FaceId(f)).size());
     const auto lines = static_cast<double>(count[f]);
     if (triangles > kTrianglesPerLine * lines)
       count[f] = static_cast<std::size_t>(lines * kTrianglesPerLine * lines / triangles);
@@ -142,9 +161,10 @@ void keep(std::vector<std::size_t> of_face, std::size_t in_all, SceneLines& foun
 
 }  // namespace
 
-ShadowMesh shadow_mesh(const Solution& solution, double accuracy, double scale_lux, std::size_t most_elements) {
+ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, double accuracy, double scale_lux,
+                     std::size_t most_elements) {
   const Scene& scene = solution.scene();
-  ShadowMesh result;
+  ShownMesh result;
   result.found = find_discontinuities(scene, line_options(solution, accuracy, scale_lux));
   // Points of curved parts lie on their limit surface, where a line in the plane of one facet says little.
   std::erase_if(result.found.lines, [&](const mesh::DiscontinuityLine& line) {
@@ -154,18 +174,21 @@ ShadowMesh shadow_mesh(const Solution& solution, double accuracy, double scale_l
       static_cast<std::size_t>(kPointsPerElement * static_cast<double>(solution.elements().size()));
   // A triangulation has half as many points as triangles.
   const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), most_elements / 2);
-  mesh_lines(solution, result);
+  mesh_shown(solution, {}, result);
   for (;;) {
     const std::vector<std::size_t> of_face = worth_it(result);
     const std::size_t worth = std::accumulate(of_face.begin(), of_face.end(), std::size_t{0});
     const std::size_t lines = result.found.lines.size();
-    if (worth == lines && result.mesh.vertices.size() <= most_points) return result;
+    if (worth == lines && result.mesh.vertices.size() <= most_points) break;
     // Faces that cost too much go first; then all give.
     const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
     keep(of_face, worth < lines ? lines : static_cast<std::size_t>(0.9 * share * static_cast<double>(lines)),
          result.found);
-    mesh_lines(solution, result);
+    mesh_shown(solution, {}, result);
   }
+  mesh_shown(solution, unsure(solution, errors, accuracy, scale_lux), result);
+  if (result.mesh.triangles.size() > most_elements) mesh_shown(solution, {}, result);
+  return result;
 }
 
 }  // namespace clerestory::lighting

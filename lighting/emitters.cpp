@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/emitters.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lighting/form_factor.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Point;
+using mesh::Vector;
+using mesh::Visibility;
+
+std::vector<Emitter> emitters(const Solution& solution) {
+  std::vector<Emitter> found;
+  const Scene& scene = solution.scene();
+  for (const ElementId root : solution.tree().roots()) {
+    const double exitance = luminance(scene.side_exitance(solution.tree().face_side(root)), scene.channel_weights);
+    if (exitance <= 0.0) continue;
+    Emitter emitter{root, exitance, {}};
+    emitter.end.count = solution.tree().hull(root, emitter.end.corners);
+    emitter.end.normal = solution.tree().normal(root);
+    found.push_back(emitter);
+  }
+  return found;
+}
+
+EmitterView look(const Solution& solution, const Emitter& emitter, const Point& at, const Vector& normal) {
+  std::array<mesh::OutlineEdge, 3> scratch;
+  const double factor =
+      point_form_factor(at, normal, solution.tree().outline(emitter.root, scratch), emitter.end.normal);
+  if (factor <= kLeastFactor) return {factor, Visibility::kHidden};
+  const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};
+  return {factor, solution.scene().shafts->classify(own, emitter.end)};
+}
+
+EmitterSample sample(const Solution& solution, const Emitter& emitter, const Point& at, const Vector& normal, double a,
+                     double b) {
+  const Point q = solution.tree().sample(emitter.root, a, b);
+  const Vector to = q - at;
+  const double distance2 = dot(to, to);
+  const double kernel =
+      std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, emitter.end.normal)) / (distance2 * distance2);
+  if (kernel <= 0.0) return {};
+  const mesh::Segment segment{at, q + solution.scene().rays->offset_m() * emitter.end.normal};
+  float passed = 0.0F;
+  solution.scene().rays->transmittance({&segment, 1}, {&passed, 1});
+  return {kernel, passed};
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/lit_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "lighting/parallel.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::FaceSide;
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+/// Light at a corner of a cell is computed this far inside of it [m], or this share of the way to its middle.
+constexpr double kOffCorners = 1e-4;
+constexpr double kOffCornersShare = 0.1;
+
+/// Where the light at a point is computed: a hair inside of one of its cells.
+struct Place {
+  ElementId element;
+  Point inside;
+};
+
+class Lighter {
+ public:
+  Lighter(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown, const LocalPass& local)
+      : solution_(solution), errors_(errors), shown_(shown), local_(local) {}
+
+  LitMesh run() {
+    for (std::size_t s = 0; s < shown_.shown.size(); ++s) {
+      if (shown_.shown[s] != 0) add_side(mesh::face_side(s));
+    }
+    const std::size_t channels = solution_.channels();
+    lit_.error_lux.resize(lit_.points.size());
+    parallel_for(
+        lit_.points.size(),
+        [&](std::size_t i) {
+          if (const auto light = local_.at(places_[i].element, places_[i].inside)) {
+            std::copy(light->lux.begin(), light->lux.end(), lit_.lux.begin() + static_cast<long>(i * channels));
+            lit_.error_lux[i] = light->error_lux;
+          } else {
+            for (std::size_t c = 0; c < channels; ++c) lit_.lux[i * channels + c] /= weights_[i];
+            lit_.error_lux[i] = errors_.point_error(solution_, places_[i].element);
+          }
+        },
+        16);
+    for (double& l : lit_.lux) l = std::max(0.0, l);
+    return std::move(lit_);
+  }
+
+ private:
+  void add_side(FaceSide side) {
+    known_.clear();
+    for (const mesh::Triangle& t : shown_.mesh.of(side.face)) add_cell(side, t);
+  }
+
+  void add_cell(FaceSide side, const mesh::Triangle& t) {
+    std::array<std::uint32_t, 3> vertices = t.vertices;
+    if (side.side == mesh::Side::kBack) std::swap(vertices[1], vertices[2]);
+    std::array<Point, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) c[k] = shown_.mesh.vertices[vertices[k]];
+    LitMesh::Cell cell;
+    cell.middle = c[0] + (c[1] - c[0] + (c[2] - c[0])) / 3.0;
+    cell.area = 0.5 * norm(cross(c[1] - c[0], c[2] - c[0]));
+    cell.element = solution_.element_at(side, t.region, cell.middle);
+    if (!cell.element.valid()) return;
+    const std::uint32_t patch = shown_.jump[side.face.index()] != 0 ? t.patch : 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Off the edges of the face, and of the patch.
+      const Vector inwards = cell.middle - c[k];
+      const Point inside = c[k] + std::min(kOffCorners, kOffCornersShare * norm(inwards)) * normalized(inwards);
+      const ElementId element = solution_.element_at(side, t.region, inside);
+      const auto number = static_cast<std::uint32_t>(lit_.points.size());
+      const auto [entry, added] = known_.try_emplace({vertices[k], t.region, patch}, number);
+      if (added) add_point(c[k], {element, inside});
+      cell.points[k] = entry->second;
+      add_solved(entry->second, element, c[k], cell.area);
+    }
+    lit_.cells.push_back(cell);
+  }
+
+  void add_point(const Point& at, const Place& place) {
+    lit_.points.push_back(at);
+    places_.push_back(place);
+    weights_.push_back(0.0);
+    lit_.lux.resize(lit_.lux.size() + solution_.channels(), 0.0);
+  }
+
+  /// What the solution says, should the local pass say nothing: the mean over the elements that meet at the point.
+  void add_solved(std::uint32_t point, ElementId element, const Point& at, double area) {
+    if (!local_.as_solved(places_[point].element)) return;
+    for (std::size_t c = 0; c < solution_.channels(); ++c)
+      lit_.lux[point * solution_.channels() + c] += area * solution_.illuminance_at(element, at, c);
+    weights_[point] += area;
+  }
+
+  const Solution& solution_;
+  const SolutionErrors& errors_;
+  const ShownMesh& shown_;
+  const LocalPass& local_;
+  LitMesh lit_;
+  std::vector<Place> places_;
+  std::vector<double> weights_;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> known_;  // vertex, region and patch of a side
+};
+
+}  // namespace
+
+LitMesh light_mesh(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
+                   const LocalPass& local) {
+  return Lighter(solution, errors, shown, local).run();
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/local_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "lighting/form_factor.h"
+#include "lighting/light_paths.h"
+#include "lighting/opening_sampler.h"
+#include "lighting/point_light.h"
+#include "mesh/seen_parts.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+using mesh::Point;
+using mesh::Vector;
+using mesh::Visibility;
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kSeed = 0x57A1;
+/// Rays towards a source from a point, times the accuracy: 32 at 2 %.
+constexpr double kSourceRays = 0.64;
+/// Towards openings that hardly matter.
+constexpr std::uint32_t kFewRays = 8;
+/// Where more stand before a lamp, rays are quicker than clipping.
+constexpr std::size_t kMostBlockers = 32;
+/// Rays into the hemisphere: so many at least, and doubled up to so many, times the accuracy: 128 at 2 %.
+constexpr std::uint32_t kLeastRays = 32;
+constexpr double kMostRays = 2.56;
+/// Errors of what surfaces reflect are brought to this many times the accuracy.
+constexpr double kGoal = 3.0;
+/// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
+/// which are more evenly spread together.
+constexpr std::size_t kParts = 8;
+
+/// A power of two, so that rays are evenly spread.
+std::uint32_t ray_count(double wanted, double least) {
+  return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(wanted, least, 1024.0)));
+}
+
+}  // namespace
+
+/// Adds up the light of rays, channel by channel.
+class LocalPass::Sum {
+ public:
+  Sum(const Solution& solution, const SolutionErrors& errors, double exact_lux)
+      : solution_(solution), errors_(errors), lux_(solution.channels(), exact_lux), part_(solution.channels()) {}
+
+  /// What is known without rays [lux per channel], times a factor.
+  void add(std::span<const float> lux, double factor) {
+    for (std::size_t c = 0; c < lux_.size(); ++c) lux_[c] += factor * lux[c];
+  }
+
+  /// Begins with rays of one part of the light.
+  void begin() {
+    std::fill(part_.begin(), part_.end(), 0.0);
+    each_.clear();
+    wrong_.fill(0.0);
+    wrong_rays_ = 0;
+  }
+  void begin_ray(double weight, bool with_errors) {
+    weight_ = weight;
+    with_errors_ = with_errors;
+    wrong_rays_ += with_errors ? 1 : 0;
+    each_.push_back(0.0);
+  }
+  /// What a ray meets.
+  void surface(const SurfacePoint& seen, float passed, bool with_emission) {
+    const ElementId e = solution_.element_at(seen.side, seen.region, seen.at);
+    if (!e.valid()) return;
+    for (std::size_t c = 0; c < part_.size(); ++c)
+      meet(c, weight_ * passed * solution_.radiosity_at(e, seen.at, c, with_emission));
+    if (!with_errors_) return;
+    const SolutionErrors::Samples samples = errors_.radiosity(solution_, e, seen.at);
+    for (std::size_t k = 0; k < samples.size(); ++k) wrong_[k] += weight_ * passed * samples[k];
+  }
+  void sky(const Vector& direction, float passed, bool) {
+    const double sent = std::numbers::pi * sky_luminance(solution_.scene().sky, direction);
+    for (std::size_t c = 0; c < part_.size(); ++c) meet(c, weight_ * passed * sent);
+  }
+  /// Light of the ray in a channel [lux, times the number of rays].
+  void meet(std::size_t channel, double lux) {
+    part_[channel] += lux;
+    each_.back() += solution_.scene().channel_weights[channel] * lux;
+  }
+
+  /// Of the mean of the part's rays [lux²].
+  [[nodiscard]] double part_variance() const {
+    const std::size_t rays = each_.size() / kParts;
+    double mean = 0.0;
+    double square = 0.0;
+    for (std::size_t p = 0; p < kParts; ++p) {
+      double sum = 0.0;
+      for (std::size_t i = p * rays; i < (p + 1) * rays; ++i) sum += each_[i] / static_cast<double>(rays);
+      mean += sum / kParts;
+      square += sum * sum / kParts;
+    }
+    return std::max(0.0, square - mean * mean) / (kParts - 1.0);
+  }
+  /// The part's light, luminance-weighted [lux].
+  [[nodiscard]] double part_lux() const {
+    double sum = 0.0;
+    for (const double e : each_) sum += e / static_cast<double>(each_.size());
+    return sum;
+  }
+  void end() {
+    for (std::size_t c = 0; c < lux_.size(); ++c) lux_[c] += part_[c] / static_cast<double>(each_.size());
+    variance_ += part_variance();
+    for (const double w : wrong_) {
+      const double mean = wrong_rays_ > 0 ? w / static_cast<double>(wrong_rays_) : 0.0;
+      variance_ += mean * mean / static_cast<double>(wrong_.size());
+    }
+  }
+
+  [[nodiscard]] double weighted() const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < lux_.size(); ++c) sum += solution_.scene().channel_weights[c] * lux_[c];
+    return sum;
+  }
+  [[nodiscard]] Light light() && { return {std::move(lux_), std::sqrt(variance_)}; }
+
+ private:
+  const Solution& solution_;
+  const SolutionErrors& errors_;
+  std::vector<double> lux_;
+  std::vector<double> part_;
+  std::vector<double> each_;  // luminance-weighted light of each ray of the part
+  std::array<double, SolutionErrors::kSamples> wrong_{};
+  std::size_t wrong_rays_ = 0;
+  double variance_ = 0.0;
+  double weight_ = 1.0;
+  bool with_errors_ = false;
+};
+
+LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
+                     double accuracy, double dark_lux)
+    : solution_(solution),
+      errors_(errors),
+      nodes_(nodes),
+      node_at_(solution.tree().size(), kNone),
+      emitters_(emitters(solution)),
+      numbers_(kSeed),
+      rays_(ray_count(kSourceRays / accuracy, 8.0)),
+      most_rays_(ray_count(kMostRays / accuracy, 64.0)),
+      accuracy_(accuracy),
+      dark_lux_(dark_lux) {
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
+}
+
+bool LocalPass::as_solved(ElementId element) const {
+  return !(solution_.closing(element) == LinearValue{1.0F, 0.0F, 0.0F});
+}
+
+std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& point) const {
+  if (as_solved(element)) return std::nullopt;
+  const mesh::ElementTree& tree = solution_.tree();
+  const Scene& scene = solution_.scene();
+  const Vector& normal = tree.normal(element);
+  const Receiver receiver{point + scene.rays->offset_m() * normal, normal};
+  Sum sum(solution_, errors_, point_source_illuminance(scene, receiver.from, normal));
+  for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
+  for (ElementId up = element; up.valid(); up = tree.parent(up)) {
+    const std::uint32_t i = node_at_[up.index()];
+    if (i == kNone) continue;
+    for (const std::uint32_t k : nodes_[i].openings) through_opening(k, rays_, receiver, sum);
+    for (const std::uint32_t k : nodes_[i].minor) through_opening(k, kFewRays, receiver, sum);
+  }
+  from_surfaces(receiver, sum);
+  return std::move(sum).light();
+}
+
+/// Where it is neither hidden nor wholly seen, the share that is seen, each place weighed by what it gives.
+void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const {
+  const EmitterView view = look(solution_, emitter, receiver.from, receiver.normal);
+  if (view.visibility == Visibility::kHidden) return;
+  const auto exitance = solution_.scene().side_exitance(solution_.tree().face_side(emitter.root));
+  if (view.visibility == Visibility::kVisible) {
+    sum.add(exitance, view.factor);
+    return;
+  }
+  if (const auto seen = seen_factor(emitter, receiver)) {
+    sum.add(exitance, *seen);
+    return;
+  }
+  std::vector<EmitterSample> samples(rays_);
+  double all = 0.0;
+  for (std::uint32_t i = 0; i < rays_; ++i) {
+    samples[i] = sample(solution_, emitter, receiver.from, receiver.normal, numbers_.at(i, 0), numbers_.at(i, 1));
+    all += samples[i].kernel / rays_;
+  }
+  if (all <= 0.0) return;
+  sum.begin();
+  for (const EmitterSample& s : samples) {
+    sum.begin_ray(1.0, false);
+    for (std::size_t c = 0; c < exitance.size(); ++c)
+      sum.meet(c, view.factor * exitance[c] * s.kernel * s.passed / all);
+  }
+  sum.end();
+}
+
+/// The form factor of what is seen of a surface, triangle by triangle; nothing where panes or a crowd stand before it.
+std::optional<double> LocalPass::seen_factor(const Emitter& emitter, const Receiver& receiver) const {
+  std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
+  double factor = 0.0;
+  for (const std::array<Point, 3>& triangle : solution_.tree().triangles(emitter.root)) {
+    const mesh::ShaftEnd eye{.corners = {receiver.from}, .count = 1, .normal = {}};
+    const mesh::ShaftEnd lamp{
+        .corners = {triangle[0], triangle[1], triangle[2]}, .count = triangle.size(), .normal = emitter.end.normal};
+    const auto blockers = solution_.scene().shafts->blockers(eye, lamp, kMostBlockers);
+    if (!blockers) return std::nullopt;
+    const auto parts = mesh::seen_parts(receiver.from, triangle, *blockers);
+    if (!parts) return std::nullopt;
+    for (const mesh::ConvexPiece& part : *parts)
+      factor += point_form_factor(receiver.from, receiver.normal, part.outline(scratch), emitter.end.normal);
+  }
+  return factor;
+}
+
+void LocalPass::through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const {
+  const Scene& scene = solution_.scene();
+  const OpeningSampler sampler(receiver.from, scene.openings[opening].triangles);
+  const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(opening), true};
+  sum.begin();
+  for (std::uint32_t i = 0; i < rays; ++i) {
+    const SolidAngleSample s = sampler.sample(numbers_.at(i, 0), numbers_.at(i, 1));
+    const double cosine = dot(s.direction, receiver.normal);
+    sum.begin_ray(s.solid_angle_sr * cosine / std::numbers::pi, false);
+    if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
+    follow(scene, receiver.from, s.direction, 1.0F, rule, sum);
+  }
+  sum.end();
+}
+
+/// What surfaces reflect, and the sky by no opening.
+void LocalPass::from_surfaces(const Receiver& receiver, Sum& sum) const {
+  const mesh::Frame frame = mesh::frame_around(receiver.normal);
+  sum.begin();
+  std::uint32_t rays = 0;
+  for (std::uint32_t until = kLeastRays;; until *= 2) {
+    for (; rays < until; ++rays) {
+      sum.begin_ray(1.0, rays < kLeastRays);
+      const Vector d = cosine_direction(frame, numbers_.at(rays, 0), numbers_.at(rays, 1));
+      follow(solution_.scene(), receiver.from, d, 1.0F, PathRule{PathRule::Part::kGather, -1, true}, sum);
+    }
+    const double goal = kGoal * accuracy_ * std::max(sum.weighted() + sum.part_lux(), dark_lux_);
+    if (2 * until > most_rays_ || sum.part_variance() <= goal * goal) break;
+  }
+  sum.end();
+}
+
+}  // namespace clerestory::lighting

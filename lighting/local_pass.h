@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lighting/direct_light.h"
+#include "lighting/emitters.h"
+#include "lighting/sampling.h"
+#include "lighting/solution.h"
+#include "lighting/solution_errors.h"
+
+namespace clerestory::lighting {
+
+/// The local pass of hierarchical radiosity [Lischinski, Tampieri, Greenberg 1993]: light at single points of surfaces, finer than the elements
+/// of the solution. What comes straight from surfaces that shine is exact, by clipping them by what stands before them, or by rays where that
+/// is much; what comes through openings is sampled, and what surfaces reflect is gathered over the hemisphere from the solution. Safe to call from many threads.
+class LocalPass {
+ public:
+  struct Light {
+    std::vector<double> lux;  ///< per channel
+    double error_lux = 0.0;   ///< standard error: rays', and that of the solution they meet
+  };
+
+  /// @param solution  solved; kept by reference, as its errors are
+  /// @param nodes     of light_directly(): the openings that each looks at
+  /// @param accuracy  errors are brought to about twice this share
+  /// @param dark_lux  darker points need not be better than points of so much light
+  LocalPass(const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes, double accuracy,
+            double dark_lux);
+
+  /// Light at a point of an element; nothing where that of the solution is as good: where form factors were made to add up, all that
+  /// surrounds the element is wholly seen.
+  [[nodiscard]] std::optional<Light> at(mesh::ElementId element, const mesh::Point& point) const;
+  /// Whether at() gives nothing.
+  [[nodiscard]] bool as_solved(mesh::ElementId element) const;
+
+ private:
+  struct Receiver {
+    mesh::Point from;
+    mesh::Vector normal;
+  };
+  class Sum;
+
+  void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
+  [[nodiscard]] std::optional<double> seen_factor(const Emitter& emitter, const Receiver& receiver) const;
+  void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
+  void from_surfaces(const Receiver& receiver, Sum& sum) const;
+
+  const Solution& solution_;
+  const SolutionErrors& errors_;
+  std::span<const NodeDirect> nodes_;
+  std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
+  std::vector<Emitter> emitters_;
+  SobolPoints numbers_;  ///< the same at all points: differences between these are then the light's own
+  std::uint32_t rays_;   ///< towards a source that is not wholly seen
+  std::uint32_t most_rays_;
+  double accuracy_;
+  double dark_lux_;
+};
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lighting/discontinuities.h"
+#include "lighting/solution.h"
+#include "lighting/solution_errors.h"
+#include "mesh/faces.h"
+
+namespace clerestory::lighting {
+
+/// The mesh of the surfaces that are shown finer than they were solved: lines of discontinuity are edges of it, and elsewhere its
+/// elements are as large as those of the solution.
+struct ShownMesh {
+  SceneLines found;
+  mesh::Triangulation mesh;         ///< faces that are shown by the elements of the solution have no triangles
+  mesh::MeshReport report;          ///< of it
+  std::vector<std::uint8_t> shown;  ///< [sides] non-zero where it is shown by this mesh
+  std::vector<std::uint8_t> jump;   ///< [faces] non-zero where light itself jumps at lines, not only its slope
+};
+
+/// Finds the lines across which the elements of a solution miss more than they may, and meshes their faces, and those that the solution is
+/// less sure of than it was asked to be. The number of lines, and what it costs to find and to light them, is bounded by the number of
+/// elements of the solution.
+/// @param scale_lux      illuminance of which a twentieth is the darkest that is told apart: the sensors' mean
+/// @param most_elements  triangles; surfaces without lines give way first, then the lightest lines
+ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, double accuracy, double scale_lux,
+                     std::size_t most_elements);
+
+}  // namespace clerestory::lighting
