@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "lighting/mesh_grading.h"
 #include "lighting/parallel.h"
 
 namespace clerestory::lighting {
@@ -12,13 +13,8 @@ namespace clerestory::lighting {
 using mesh::ElementId;
 using mesh::FaceSide;
 using mesh::Point;
-using mesh::Vector;
 
 namespace {
-
-/// Light at a corner of a cell is computed this far inside of it [m], or this share of the way to its middle.
-constexpr double kOffCorners = 1e-4;
-constexpr double kOffCornersShare = 0.1;
 
 /// Where the light at a point is computed: a hair inside of one of its cells.
 struct Place {
@@ -72,8 +68,7 @@ class Lighter {
     const std::uint32_t patch = shown_.jump[side.face.index()] != 0 ? t.patch : 0;
     for (std::size_t k = 0; k < 3; ++k) {
       // Off the edges of the face, and of the patch.
-      const Vector inwards = cell.middle - c[k];
-      const Point inside = c[k] + std::min(kOffCorners, kOffCornersShare * norm(inwards)) * normalized(inwards);
+      const Point inside = inside_from(c[k], cell.middle);
       const ElementId element = solution_.element_at(side, t.region, inside);
       const auto number = static_cast<std::uint32_t>(lit_.points.size());
       const auto [entry, added] = known_.try_emplace({vertices[k], t.region, patch}, number);

@@ -31,7 +31,7 @@ constexpr double kSourceRays = 0.64;
 /// Towards openings that hardly matter.
 constexpr std::uint32_t kFewRays = 8;
 /// Where more stand before a lamp, rays are quicker than clipping.
-constexpr std::size_t kMostBlockers = 32;
+constexpr std::size_t kMostBlockers = 48;
 /// Rays into the hemisphere: so many at least, and doubled up to so many, times the accuracy: 128 at 2 %.
 constexpr std::uint32_t kLeastRays = 32;
 constexpr double kMostRays = 2.56;
@@ -177,17 +177,28 @@ std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& po
   return std::move(sum).light();
 }
 
+std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point) const {
+  if (as_solved(element)) return std::nullopt;
+  const Vector& normal = solution_.tree().normal(element);
+  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal};
+  double lux = point_source_illuminance(solution_.scene(), receiver.from, normal);
+  for (const Emitter& emitter : emitters_) {
+    const EmitterView view = look(solution_, emitter, receiver.from, normal);
+    if (view.visibility == Visibility::kHidden) continue;
+    const auto factor = exact_factor(emitter, view, receiver);
+    if (!factor) return std::nullopt;
+    lux += emitter.exitance * *factor;
+  }
+  return lux;
+}
+
 /// Where it is neither hidden nor wholly seen, the share that is seen, each place weighed by what it gives.
 void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const {
   const EmitterView view = look(solution_, emitter, receiver.from, receiver.normal);
   if (view.visibility == Visibility::kHidden) return;
   const auto exitance = solution_.scene().side_exitance(solution_.tree().face_side(emitter.root));
-  if (view.visibility == Visibility::kVisible) {
-    sum.add(exitance, view.factor);
-    return;
-  }
-  if (const auto seen = seen_factor(emitter, receiver)) {
-    sum.add(exitance, *seen);
+  if (const auto factor = exact_factor(emitter, view, receiver)) {
+    sum.add(exitance, *factor);
     return;
   }
   std::vector<EmitterSample> samples(rays_);
@@ -204,6 +215,12 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
       sum.meet(c, view.factor * exitance[c] * s.kernel * s.passed / all);
   }
   sum.end();
+}
+
+/// The form factor of what is seen of a surface that is not hidden; nothing where that is known by rays alone.
+std::optional<double> LocalPass::exact_factor(const Emitter& emitter, const EmitterView& view,
+                                              const Receiver& receiver) const {
+  return view.visibility == Visibility::kVisible ? view.factor : seen_factor(emitter, receiver);
 }
 
 /// The form factor of what is seen of a surface, triangle by triangle; nothing where panes or a crowd stand before it.

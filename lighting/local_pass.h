@@ -35,6 +35,10 @@ class LocalPass {
   /// Light at a point of an element; nothing where that of the solution is as good: where form factors were made to add up, all that
   /// surrounds the element is wholly seen.
   [[nodiscard]] std::optional<Light> at(mesh::ElementId element, const mesh::Point& point) const;
+  /// The part of it that comes from surfaces that shine and from point sources, luminance-weighted [lux]: it is exact at every point. Nothing where
+  /// at() gives nothing, and where it takes rays, as panes or a crowd stand before a surface that shines.
+  [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
+  [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().point_sources.empty(); }
   /// Whether at() gives nothing.
   [[nodiscard]] bool as_solved(mesh::ElementId element) const;
 
@@ -46,6 +50,8 @@ class LocalPass {
   class Sum;
 
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
+  [[nodiscard]] std::optional<double> exact_factor(const Emitter& emitter, const EmitterView& view,
+                                                   const Receiver& receiver) const;
   [[nodiscard]] std::optional<double> seen_factor(const Emitter& emitter, const Receiver& receiver) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;

@@ -143,8 +143,9 @@ void show_surfaces(const Study& study, const Solution& solution, const SolutionE
   }
   const Scene& scene = solution.scene();
   const double accuracy = study.accuracy.target;
-  const ShownMesh shown = shown_mesh(solution, errors, accuracy, scale_lux, study.mesh.max_elements);
-  const LocalPass local(solution, errors, nodes, accuracy, kDarkShare * scale_lux);
+  const double dark_lux = kDarkShare * scale_lux;
+  const LocalPass local(solution, errors, nodes, accuracy, dark_lux);
+  const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements});
   results.surfaces = surface_values(solution, errors, shown, light_mesh(solution, errors, shown, local));
   results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
   for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);

@@ -10,8 +10,9 @@
 #include <span>
 #include <utility>
 
-#include "lighting/dark_share.h"
+#include "lighting/mesh_grading.h"
 #include "mesh/element_tree.h"
+#include "mesh/size_field.h"
 
 namespace clerestory::lighting {
 
@@ -43,6 +44,10 @@ constexpr std::size_t kFewSurfaces = 5000;
 /// A surface whose lines would make more triangles each has fewer of them: where details or crossings crowd.
 constexpr double kTrianglesPerLine = 100.0;
 constexpr std::size_t kFewPoints = 4500;
+/// Meshes are judged so often by the light of lamps, and made anew where interpolation misses too much.
+constexpr int kGradings = 2;
+/// Where surfaces without lines have taken the points already, there may be so many times more for grading.
+constexpr double kGradedShare = 1.5;
 
 /// The element that holds a point of a side; invalid where it carries none.
 ElementId element_at(const Solution& solution, FaceSide side, const Point& point) {
@@ -74,26 +79,28 @@ double size_at(const Solution& solution, const std::vector<std::uint8_t>& shown,
   return std::max(size, kFinestM);
 }
 
-LineOptions line_options(const Solution& solution, double accuracy, double scale_lux) {
+LineOptions line_options(const Solution& solution, const ShownOptions& asked) {
   const auto elements = static_cast<double>(solution.elements().size());
   LineOptions options;
-  options.tolerance = accuracy;
+  options.tolerance = asked.accuracy;
   options.most_sources = kMostSources;
   options.most_lines = std::max(kFewLines, static_cast<std::size_t>(kLinesPerElement * elements));
   options.most_critical_surfaces = std::max(kFewSurfaces, static_cast<std::size_t>(kSurfacesPerElement * elements));
-  options.surroundings = [&solution, scale_lux](const mesh::DiscontinuityLine& line,
-                                                const Vector& across) -> LineSurroundings {
+  options.surroundings = [&solution, dark = asked.dark_lux](const mesh::DiscontinuityLine& line,
+                                                            const Vector& across) -> LineSurroundings {
     if (norm(line.ends[1] - line.ends[0]) < kFinestM) return {};
     const Point middle = midpoint(line.ends[0], line.ends[1]);
     const ElementId e = element_at(solution, {line.face, line.side}, middle);
     if (!e.valid()) return {};
-    return {extent(solution.tree(), e, across), std::max(solution.illuminance_at(e, middle), kDarkShare * scale_lux)};
+    return {extent(solution.tree(), e, across), std::max(solution.illuminance_at(e, middle), dark)};
   };
   return options;
 }
 
 /// Meshes the faces of the lines found, and others that are shown.
-void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, ShownMesh& result) {
+/// @param finer  sizes besides those of the solution; may be null
+void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, const mesh::SizeField* finer,
+                ShownMesh& result) {
   const Scene& scene = solution.scene();
   result.shown.assign(2 * scene.faces.count(), 0);
   std::copy(others.begin(), others.end(), result.shown.begin());
@@ -111,21 +118,23 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
   options.line_distance_m = kLineDistanceM;
   options.wanted = wanted;
   options.lines = lines;
-  options.size_at = [&](FaceId face, const Point& p) { return size_at(solution, result.shown, face, p); };
+  options.size_at = [&](FaceId face, const Point& p) {
+    const double size = size_at(solution, result.shown, face, p);
+    return finer == nullptr ? size : std::min(size, finer->at(face, p));
+  };
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
 /// Sides on which an element is less sure than it was asked to be [sides]. Points of curved parts lie on their limit surface, which a mesh of
 /// one facet does not know.
-std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, double accuracy,
-                                 double scale_lux) {
+std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, const ShownOptions& options) {
   const Scene& scene = solution.scene();
   std::vector<std::uint8_t> found(2 * scene.faces.count(), 0);
   for (const ElementId e : solution.elements()) {
     const FaceSide side = solution.tree().face_side(e);
     if (!scene.faces.faces[side.face.index()].facets.empty()) continue;
-    const double level = std::max(solution.illuminance_at(e, solution.tree().centroid(e)), kDarkShare * scale_lux);
-    if (errors.point_error(solution, e) > accuracy * level) found[side.index()] = 1;
+    const double level = std::max(solution.illuminance_at(e, solution.tree().centroid(e)), options.dark_lux);
+    if (errors.point_error(solution, e) > options.accuracy * level) found[side.index()] = 1;
   }
   return found;
 }
@@ -159,35 +168,64 @@ void keep(std::vector<std::size_t> of_face, std::size_t in_all, SceneLines& foun
   found.lines = std::move(kept);
 }
 
+/// Leaves out the lightest lines until the mesh has no more points than it may.
+void mesh_within(std::size_t most_points, const Solution& solution, ShownMesh& result) {
+  mesh_shown(solution, {}, nullptr, result);
+  for (;;) {
+    const std::vector<std::size_t> of_face = worth_it(result);
+    const std::size_t worth = std::accumulate(of_face.begin(), of_face.end(), std::size_t{0});
+    const std::size_t lines = result.found.lines.size();
+    if (worth == lines && result.mesh.vertices.size() <= most_points) return;
+    // Faces that cost too much go first; then all give.
+    const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
+    keep(of_face, worth < lines ? lines : static_cast<std::size_t>(0.9 * share * static_cast<double>(lines)),
+         result.found);
+    mesh_shown(solution, {}, nullptr, result);
+  }
+}
+
+/// Makes elements smaller where the light of lamps is curved, until interpolation keeps to the accuracy or the mesh has the points that it may.
+void grade(std::size_t most_points, const Solution& solution, const LocalPass& local, const ShownOptions& options,
+           ShownMesh& result) {
+  if (!local.has_lamps()) return;
+  // A triangulation has half as many points as triangles.
+  const GradingOptions grading{options.accuracy, options.dark_lux, 2 * most_points};
+  const std::vector<std::uint8_t> shown = result.shown;
+  for (int i = 0; i < kGradings; ++i) {
+    GradedSizes sizes = graded_sizes(solution, local, result.mesh, shown, result.jump, grading);
+    if (sizes.kept) return;
+    const mesh::Triangulation judged = std::move(result.mesh);
+    for (;;) {
+      const mesh::SizeField field(solution.scene().faces, judged, sizes.longest_m);
+      mesh_shown(solution, shown, &field, result);
+      if (result.mesh.vertices.size() <= most_points) break;
+      const double excess = static_cast<double>(result.mesh.vertices.size()) / static_cast<double>(most_points);
+      for (double& size : sizes.longest_m) size *= 1.05 * std::sqrt(excess);
+    }
+  }
+}
+
 }  // namespace
 
-ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, double accuracy, double scale_lux,
-                     std::size_t most_elements) {
+ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, const LocalPass& local,
+                     const ShownOptions& options) {
   const Scene& scene = solution.scene();
   ShownMesh result;
-  result.found = find_discontinuities(scene, line_options(solution, accuracy, scale_lux));
+  result.found = find_discontinuities(scene, line_options(solution, options));
   // Points of curved parts lie on their limit surface, where a line in the plane of one facet says little.
   std::erase_if(result.found.lines, [&](const mesh::DiscontinuityLine& line) {
     return !scene.faces.faces[line.face.index()].facets.empty();
   });
   const auto by_elements =
       static_cast<std::size_t>(kPointsPerElement * static_cast<double>(solution.elements().size()));
-  // A triangulation has half as many points as triangles.
-  const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), most_elements / 2);
-  mesh_shown(solution, {}, result);
-  for (;;) {
-    const std::vector<std::size_t> of_face = worth_it(result);
-    const std::size_t worth = std::accumulate(of_face.begin(), of_face.end(), std::size_t{0});
-    const std::size_t lines = result.found.lines.size();
-    if (worth == lines && result.mesh.vertices.size() <= most_points) break;
-    // Faces that cost too much go first; then all give.
-    const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
-    keep(of_face, worth < lines ? lines : static_cast<std::size_t>(0.9 * share * static_cast<double>(lines)),
-         result.found);
-    mesh_shown(solution, {}, result);
-  }
-  mesh_shown(solution, unsure(solution, errors, accuracy, scale_lux), result);
-  if (result.mesh.triangles.size() > most_elements) mesh_shown(solution, {}, result);
+  const std::size_t cap = options.most_elements / 2;
+  const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), cap);
+  mesh_within(most_points, solution, result);
+  mesh_shown(solution, unsure(solution, errors, options), nullptr, result);
+  if (result.mesh.triangles.size() > options.most_elements) mesh_shown(solution, {}, nullptr, result);
+  const std::size_t points = result.mesh.vertices.size();
+  const auto more = static_cast<std::size_t>(kGradedShare * static_cast<double>(points));
+  grade(std::max(points, std::min(std::max(most_points, more), cap)), solution, local, options, result);
   return result;
 }
 

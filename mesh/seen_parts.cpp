@@ -8,7 +8,7 @@ namespace clerestory::mesh {
 
 namespace {
 
-constexpr std::size_t kMostPieces = 64;
+constexpr std::size_t kMostPieces = 128;
 /// What reaches over a plane by less than this is on it [m]: rounding, and surfaces that touch.
 constexpr double kTouch = 1e-9;
 
@@ -78,10 +78,23 @@ void shadow_of(const Point& from, std::span<const Point> blocker, std::vector<Ha
   }
 }
 
+/// Whether a piece lies beyond one of a shadow's planes wholly.
+bool is_beside(const ConvexPiece& piece, std::span<const HalfSpace> shadow) {
+  const auto corners = std::span(piece.corners).first(piece.count);
+  return std::any_of(shadow.begin(), shadow.end(), [&](const HalfSpace& half) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const Point& p) { return dot(p - half.origin, half.normal) < kTouch; });
+  });
+}
+
 /// Takes a shadow from each piece; false where they become too many.
 bool subtract(std::vector<ConvexPiece>& pieces, std::span<const HalfSpace> shadow) {
   std::vector<ConvexPiece> left;
   for (const ConvexPiece& piece : pieces) {
+    if (is_beside(piece, shadow)) {
+      left.push_back(piece);
+      continue;
+    }
     const std::size_t before = left.size();
     ConvexPiece rest = piece;
     for (const HalfSpace& half : shadow) {
@@ -92,7 +105,7 @@ bool subtract(std::vector<ConvexPiece>& pieces, std::span<const HalfSpace> shado
       if (rest.count < 3) break;
     }
     if (rest.count < 3) {
-      // A piece beside the shadow stays whole.
+      // Past a corner of the shadow: nothing is hidden.
       left.resize(before);
       left.push_back(piece);
     }

@@ -62,17 +62,22 @@ std::vector<HalfSpace> shadow_of(std::span<const Point> blocker, const Point& at
   return sides;
 }
 
-/// The parts of convex polygons outside of a convex region.
-std::vector<Polygon> outside(std::vector<Polygon> polygons, std::span<const HalfSpace> region) {
+/// The parts of convex polygons outside of a convex region; those beside it stay whole.
+std::vector<Polygon> outside(const std::vector<Polygon>& polygons, std::span<const HalfSpace> region) {
   if (region.empty()) return polygons;
   std::vector<Polygon> result;
-  for (Polygon& polygon : polygons) {
+  for (const Polygon& polygon : polygons) {
+    const std::size_t before = result.size();
+    Polygon rest = polygon;
     for (const HalfSpace& half : region) {
-      Polygon out = clipped(polygon, {half.origin, -half.normal});
+      Polygon out = clipped(rest, {half.origin, -half.normal});
       if (out.size() > 2) result.push_back(std::move(out));
-      polygon = clipped(polygon, half);
-      if (polygon.size() < 3) break;
+      rest = clipped(rest, half);
+      if (rest.size() < 3) break;
     }
+    if (rest.size() > 2) continue;
+    result.resize(before);
+    result.push_back(polygon);
   }
   return result;
 }
@@ -94,7 +99,7 @@ double form_factor(const Polygon& polygon, const Point& at, const Vector& normal
 
 double exact_illuminance(const BlockedLamp& scene, const Point& at, const Vector& normal) {
   std::vector<Polygon> seen{clipped(scene.lamp, {at, normal})};
-  for (const Polygon& blocker : scene.blockers) seen = outside(std::move(seen), shadow_of(blocker, at));
+  for (const Polygon& blocker : scene.blockers) seen = outside(seen, shadow_of(blocker, at));
   double factor = 0.0;
   for (const Polygon& polygon : seen) factor += form_factor(polygon, at, normal);
   return scene.exitance_lm_m2 * factor;
