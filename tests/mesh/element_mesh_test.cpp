@@ -170,14 +170,13 @@ TEST(ElementMesh, SizesMayDifferFromPlaceToPlace) {
   EXPECT_GT(coarse, 5U);
 }
 
-TEST(ElementMesh, FacesWithoutLinesMayBeLeftOut) {
+TEST(ElementMesh, FacesThatAreNotWantedAreLeftOut) {
   Model model = support::box_room(4, 5, 3);
   const Faces faces = faces_from(model);
-  const FaceId lined(std::size_t{0});
-  const std::vector<FaceLine> lines{{lined, {faces.faces[0].origin, faces.faces[0].origin + faces.faces[0].frame.u}}};
+  std::vector<std::uint8_t> wanted(faces.count(), 0);
+  wanted[0] = 1;
   MeshOptions options;
-  options.lines = lines;
-  options.lined_only = true;
+  options.wanted = wanted;
   const Triangulation mesh = mesh_faces(faces, options);
   ASSERT_EQ(mesh.starts.size(), faces.count() + 1);
   for (std::size_t f = 0; f < faces.count(); ++f) EXPECT_EQ(mesh.of(FaceId(f)).empty(), f != 0);
