@@ -69,7 +69,18 @@ Json grid_summaries(const std::vector<lighting::GridResult>& grids) {
 Json accuracy(const lighting::Results& results) {
   Json json = numbers({{"asked", results.accuracy_target}, {"reached", results.accuracy_reached}});
   json["met"] = results.accuracy_met;
+  json["converged"] = results.converged;
   return json;
+}
+
+const char* status_of(const lighting::Results& results) {
+  if (results.stopped && results.stopped->by == lighting::Stop::By::kUser) return kStatusPartial;
+  return results.accuracy_met ? kStatusDone : kStatusAccuracyNotReached;
+}
+
+Json stop_json(const std::optional<lighting::Stop>& stop) {
+  if (!stop) return nullptr;
+  return {{"by", word_of(stop->by)}, {"phase", stop->phase}};
 }
 
 Json energy_balance(const lighting::EnergyBalance& e) {
@@ -117,10 +128,11 @@ bool is_plain_name(const std::string& name) {
 }  // namespace
 
 std::string summary_json(const lighting::Results& results, const ResultContext& context, const RunFigures& figures) {
-  Json json = head(context, results.accuracy_met ? kStatusDone : kStatusAccuracyNotReached);
+  Json json = head(context, status_of(results));
   json["sky"] = context.sky;
   json["horizontal_illuminance_lux"] = finite(results.horizontal_illuminance_lux, "horizontal_illuminance_lux");
   json["accuracy"] = accuracy(results);
+  json["stopped"] = stop_json(results.stopped);
   json["grids"] = grid_summaries(results.grids);
   json["energy_balance"] = energy_balance(results.energy);
   json["counts"] = counts(results.counts);
@@ -140,6 +152,18 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["study"] = study(context);
   json["files"] = figures.files;
   return json_text(json);
+}
+
+const char* word_of(lighting::Stop::By by) {
+  switch (by) {
+    case lighting::Stop::By::kTime:
+      return "time";
+    case lighting::Stop::By::kMemory:
+      return "memory";
+    case lighting::Stop::By::kUser:
+      break;
+  }
+  return "interruption";
 }
 
 std::string failure_json(const ResultContext& context, const std::string& why) {

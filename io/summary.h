@@ -23,12 +23,16 @@ struct RunFigures {
 /// Status words of summary.json.
 inline constexpr const char* kStatusDone = "done";
 inline constexpr const char* kStatusAccuracyNotReached = "accuracy-not-reached";
+inline constexpr const char* kStatusPartial = "partial";  ///< the user has stopped it
 inline constexpr const char* kStatusFailed = "failed";
 
 /// The text of summary.json: every metric by grid, accuracy, energy balance, counts, time, memory, study and files
 /// (docs/results.md lists the keys). Text that is not UTF-8 has its bad bytes replaced.
 /// A number that is not finite is our own bug: throws std::logic_error.
 std::string summary_json(const lighting::Results& results, const ResultContext& context, const RunFigures& figures);
+
+/// What has stopped a run, as the summary names it.
+const char* word_of(lighting::Stop::By by);
 
 /// The text of the summary.json of a run that failed, and why.
 std::string failure_json(const ResultContext& context, const std::string& why);

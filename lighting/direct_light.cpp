@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/direct_light.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lighting/direct_sampler.h"
 #include "lighting/parallel.h"
+#include "mesh/phase_part.h"
 
 namespace clerestory::lighting {
 
@@ -12,7 +14,10 @@ using mesh::ElementId;
 
 namespace {
 
-constexpr double kSmallest = 0.02;  ///< nodes of a smaller radius are not opened [m]
+constexpr double kSmallest = 0.02;    ///< nodes of a smaller radius are not opened [m]
+constexpr std::size_t kBatch = 1024;  ///< nodes between two signs of life
+/// Of the time, measured on the validation scenes.
+constexpr double kShareOfSurveys = 0.5;
 
 /// The roots, each of which may see everything.
 std::vector<DirectCandidate> roots_of(const Solution& solution) {
@@ -37,25 +42,47 @@ void open(Solution& solution, const DirectSurvey& survey, std::vector<DirectCand
   }
 }
 
-/// Opens nodes until a line over each of them will do.
+/// Opens nodes until a line over each of them will do, or the run must go on.
 std::vector<DirectSurvey> survey_all(Solution& solution, const DirectSampler& sampler, double tolerance_lux,
                                      Progress& progress) {
   std::vector<DirectSurvey> accepted;
   std::vector<DirectCandidate> round = roots_of(solution);
-  const auto first_round = static_cast<double>(round.size());
+  double surveyed = 0.0;
+  double share = 0.0;
   while (!round.empty()) {
-    std::vector<DirectSurvey> surveys(round.size());
-    parallel_for(round.size(), [&](std::size_t i) { surveys[i] = sampler.survey(round[i]); });
-    round.clear();
-    for (DirectSurvey& survey : surveys) {
-      if (sampler.effect(survey) <= tolerance_lux || solution.tree().radius(survey.below.node) < kSmallest)
-        accepted.push_back(std::move(survey));
-      else
-        open(solution, survey, round);
+    std::vector<DirectCandidate> next;
+    for (std::size_t first = 0; first < round.size(); first += kBatch) {
+      const std::size_t batch = std::min(kBatch, round.size() - first);
+      std::vector<DirectSurvey> surveys(batch);
+      parallel_for(batch, [&](std::size_t i) { surveys[i] = sampler.survey(round[first + i]); });
+      const bool enough = progress.should_finish();
+      for (DirectSurvey& survey : surveys) {
+        if (enough || sampler.effect(survey) <= tolerance_lux || solution.tree().radius(survey.below.node) < kSmallest)
+          accepted.push_back(std::move(survey));
+        else
+          open(solution, survey, next);
+      }
+      surveyed += static_cast<double>(batch);
+      const std::size_t waiting = round.size() - first - batch + next.size();
+      share = std::max(share, surveyed / (surveyed + static_cast<double>(waiting)));
+      progress.advance(share);
     }
-    progress.advance(0.5 - 0.5 * static_cast<double>(round.size()) / (first_round + static_cast<double>(round.size())));
+    round = std::move(next);
   }
   return accepted;
+}
+
+std::vector<DirectMeasurement> measure_all(const DirectSampler& sampler, const std::vector<DirectSurvey>& surveys,
+                                           Progress& progress) {
+  std::vector<DirectMeasurement> measured(surveys.size());
+  for (std::size_t first = 0; first < surveys.size(); first += kBatch) {
+    const std::size_t end = std::min(first + kBatch, surveys.size());
+    parallel_for(end - first, [&](std::size_t i) {
+      measured[first + i] = sampler.measure(surveys[first + i], progress.should_finish());
+    });
+    progress.advance(static_cast<double>(end) / static_cast<double>(surveys.size()));
+  }
+  return measured;
 }
 
 NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurement& measured) {
@@ -80,9 +107,10 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   result.scale_lux = importance.mean_lux();
   const double tolerance_lux = tolerance * result.scale_lux;
   const DirectSampler sampler(solution, importance, tolerance_lux, seed);
-  const std::vector<DirectSurvey> accepted = survey_all(solution, sampler, tolerance_lux, progress);
-  std::vector<DirectMeasurement> measured(accepted.size());
-  parallel_for(accepted.size(), [&](std::size_t i) { measured[i] = sampler.measure(accepted[i]); });
+  PhasePart looking(progress, 0.0, kShareOfSurveys);
+  const std::vector<DirectSurvey> accepted = survey_all(solution, sampler, tolerance_lux, looking);
+  PhasePart measuring(progress, kShareOfSurveys, 1.0);
+  const std::vector<DirectMeasurement> measured = measure_all(sampler, accepted, measuring);
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
     // Light through openings changes over the node as the sum of it does.
@@ -90,7 +118,6 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
         links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());
     result.links.insert(result.links.end(), links.begin(), links.end());
   }
-  progress.advance(1.0);
   return result;
 }
 

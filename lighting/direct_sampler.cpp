@@ -163,7 +163,7 @@ double DirectSampler::effect(const DirectSurvey& survey) const {
          (importance_.of(solution_.tree(), e) * survey.fit.residual + importance_.uneven(e) * survey.total);
 }
 
-DirectMeasurement DirectSampler::measure(const DirectSurvey& survey) const {
+DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughly) const {
   const ElementId e = survey.below.node;
   DirectMeasurement result;
   for (std::uint32_t rays = kFirstRays;; rays *= 2) {
@@ -174,7 +174,7 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey) const {
     }
     if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
     result.noise = std::sqrt(variance);
-    if (result.noise <= tolerance(e) || rays >= kMostRays) break;
+    if (roughly || result.noise <= tolerance(e) || rays >= kMostRays) break;
   }
   for (const std::uint32_t k : survey.below.minor) {
     if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);

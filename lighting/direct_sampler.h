@@ -49,7 +49,8 @@ class DirectSampler {
   [[nodiscard]] DirectSurvey survey(const DirectCandidate& candidate) const;
   /// The error at the sensors [lux] where a line over the node stands for what was surveyed.
   [[nodiscard]] double effect(const DirectSurvey& survey) const;
-  [[nodiscard]] DirectMeasurement measure(const DirectSurvey& survey) const;
+  /// @param roughly  with the fewest rays, whatever the noise
+  [[nodiscard]] DirectMeasurement measure(const DirectSurvey& survey, bool roughly = false) const;
 
  private:
   struct Probe;

@@ -19,7 +19,7 @@ struct Gathered {
 
 /// Evaluates the solution at sensors: emitting surfaces and point sources straight, openings by solid angle, all else over the
 /// cosine-weighted hemisphere, each path once. Samples until the sampling error of every sensor is under its share of the
-/// accuracy, or a cap on rays is met; what remains stands in error_lux.
+/// accuracy, a cap on rays is met, or the progress says that it should finish; what remains stands in error_lux.
 /// @param errors              of the solution
 /// @param positions, normals  local coordinates
 Gathered gather(const Solution& solution, const SolutionErrors& errors, std::span<const mesh::Point> positions,

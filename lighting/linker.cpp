@@ -254,13 +254,18 @@ bool Linker::overlaps(ElementId receiver, std::uint32_t cluster) const {
   return norm(nearest - p) < tree.radius(receiver) + 0.5 * clusters_.radius(cluster);
 }
 
-LinkDecision Linker::decide(const LinkCandidate& candidate) const {
+LinkDecision Linker::settle(const LinkCandidate& candidate) const {
   using Kind = LinkDecision::Kind;
   if (candidate.source.is_cluster() && overlaps(candidate.receiver, candidate.source.cluster()))
     return {Kind::kSplitSource, {}};
   const std::optional<Link> made = link(candidate);
-  if (!made) return {};
-  return {holds(*made) ? Kind::kLink : split_of(*made), *made};
+  return made ? LinkDecision{Kind::kLink, *made} : LinkDecision{};
+}
+
+LinkDecision Linker::decide(const LinkCandidate& candidate) const {
+  LinkDecision decision = settle(candidate);
+  if (decision.kind == LinkDecision::Kind::kLink && !holds(decision.link)) decision.kind = split_of(decision.link);
+  return decision;
 }
 
 std::optional<Link> Linker::link(const LinkCandidate& candidate) const {

@@ -37,6 +37,8 @@ class Linker {
          std::uint64_t seed);
 
   [[nodiscard]] LinkDecision decide(const LinkCandidate& candidate) const;
+  /// Where refinement must end: the pair is linked as it is, its error with it; clusters that hold the receiver are parted all the same.
+  [[nodiscard]] LinkDecision settle(const LinkCandidate& candidate) const;
   /// The link of a pair, good enough or not; none where the pair does not see each other.
   [[nodiscard]] std::optional<Link> link(const LinkCandidate& candidate) const;
   /// What can be proven of two elements without rays.

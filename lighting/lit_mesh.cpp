@@ -16,6 +16,8 @@ using mesh::Point;
 
 namespace {
 
+constexpr std::size_t kBatch = 1024;  ///< points between two signs of life
+
 /// Where the light at a point is computed: a hair inside of one of its cells.
 struct Place {
   ElementId element;
@@ -27,29 +29,33 @@ class Lighter {
   Lighter(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown, const LocalPass& local)
       : solution_(solution), errors_(errors), shown_(shown), local_(local) {}
 
-  LitMesh run() {
+  LitMesh run(Progress& progress) {
     for (std::size_t s = 0; s < shown_.shown.size(); ++s) {
       if (shown_.shown[s] != 0) add_side(mesh::face_side(s));
     }
-    const std::size_t channels = solution_.channels();
     lit_.error_lux.resize(lit_.points.size());
-    parallel_for(
-        lit_.points.size(),
-        [&](std::size_t i) {
-          if (const auto light = local_.at(places_[i].element, places_[i].inside)) {
-            std::copy(light->lux.begin(), light->lux.end(), lit_.lux.begin() + static_cast<long>(i * channels));
-            lit_.error_lux[i] = light->error_lux;
-          } else {
-            for (std::size_t c = 0; c < channels; ++c) lit_.lux[i * channels + c] /= weights_[i];
-            lit_.error_lux[i] = errors_.point_error(solution_, places_[i].element);
-          }
-        },
-        16);
+    for (std::size_t first = 0; first < lit_.points.size(); first += kBatch) {
+      const std::size_t end = std::min(first + kBatch, lit_.points.size());
+      parallel_for(
+          end - first, [&](std::size_t k) { light_point(first + k); }, 16);
+      progress.advance(static_cast<double>(end) / static_cast<double>(lit_.points.size()));
+    }
     for (double& l : lit_.lux) l = std::max(0.0, l);
     return std::move(lit_);
   }
 
  private:
+  void light_point(std::size_t i) {
+    const std::size_t channels = solution_.channels();
+    if (const auto light = local_.at(places_[i].element, places_[i].inside)) {
+      std::copy(light->lux.begin(), light->lux.end(), lit_.lux.begin() + static_cast<long>(i * channels));
+      lit_.error_lux[i] = light->error_lux;
+    } else {
+      for (std::size_t c = 0; c < channels; ++c) lit_.lux[i * channels + c] /= weights_[i];
+      lit_.error_lux[i] = errors_.point_error(solution_, places_[i].element);
+    }
+  }
+
   void add_side(FaceSide side) {
     known_.clear();
     for (const mesh::Triangle& t : shown_.mesh.of(side.face)) add_cell(side, t);
@@ -107,8 +113,8 @@ class Lighter {
 }  // namespace
 
 LitMesh light_mesh(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                   const LocalPass& local) {
-  return Lighter(solution, errors, shown, local).run();
+                   const LocalPass& local, Progress& progress) {
+  return Lighter(solution, errors, shown, local).run(progress);
 }
 
 }  // namespace clerestory::lighting

@@ -9,6 +9,7 @@
 #include "lighting/local_pass.h"
 #include "lighting/shown_mesh.h"
 #include "lighting/solution.h"
+#include "mesh/progress.h"
 
 namespace clerestory::lighting {
 
@@ -30,6 +31,6 @@ struct LitMesh {
 
 /// Lights all sides of a mesh that are to be shown by it, by the local pass or, where that gives nothing, by the elements around each point.
 LitMesh light_mesh(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                   const LocalPass& local);
+                   const LocalPass& local, Progress& progress);
 
 }  // namespace clerestory::lighting

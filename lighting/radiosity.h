@@ -38,6 +38,7 @@ struct SolveOptions {
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
 /// gathering with push and pull until what is missing is far below the accuracy.
 /// Roots that hardly matter to the sensors look around by rays instead of linking to all that surrounds them.
+/// Where the progress says that it should finish, pairs are linked as they are, and the errors of the solution say so.
 Transport solve(Solution& solution, const Importance& importance, DirectLight direct, const SolveOptions& options,
                 Progress& progress);
 

@@ -96,6 +96,14 @@ struct EnergyBalance {
   double closure = 0.0;  ///< flux-weighted mean sum of form factors, less the share of rays that land on surfaces
 };
 
+/// Why a run has ended before its accuracy was reached, and where.
+struct Stop {
+  enum class By { kTime, kMemory, kUser };
+
+  By by = By::kTime;
+  std::string phase;
+};
+
 struct PhaseTime {
   std::string name;
   double cpu_s = 0.0;
@@ -141,7 +149,9 @@ struct Results {
   double horizontal_illuminance_lux = 0.0;  ///< unobstructed, of the sky in use
   double accuracy_target = 0.0;
   double accuracy_reached = 0.0;  ///< the worst grid's
-  bool accuracy_met = false;
+  bool converged = true;        ///< false where the solution was stopped early: its errors tell what that may have cost
+  bool accuracy_met = false;    ///< by every grid, and converged
+  std::optional<Stop> stopped;  ///< by a limit or by the user
   std::vector<std::string> assumptions;  ///< one sentence each
   std::vector<std::string> notices;  ///< what the user should know: "no opening and no lamp: every value is zero" …
 };

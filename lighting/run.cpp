@@ -17,6 +17,7 @@
 #include "lighting/gather.h"
 #include "lighting/grids.h"
 #include "lighting/importance.h"
+#include "lighting/limited_progress.h"
 #include "lighting/lit_mesh.h"
 #include "lighting/local_pass.h"
 #include "lighting/parallel.h"
@@ -26,6 +27,7 @@
 #include "lighting/surface_values.h"
 #include "mesh/element_tree.h"
 #include "mesh/hash.h"
+#include "mesh/phase_part.h"
 
 namespace clerestory::lighting {
 
@@ -36,6 +38,10 @@ namespace {
 constexpr double kDirectShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
+
+/// Of the time of their phases, measured on the validation scenes.
+constexpr double kShareOfStartMesh = 0.8;
+constexpr double kShareOfShownMesh = 0.5;
 
 /// Notes the time of each phase.
 class Clock {
@@ -71,8 +77,9 @@ struct AllSensors {
   std::vector<std::uint32_t> grids;  ///< number of each sensor's grid
 };
 
-AllSensors place_all(const Study& study, Scene& scene, Results& results) {
+AllSensors place_all(const Study& study, Scene& scene, Results& results, Progress& progress) {
   AllSensors all;
+  double placed_requests = 0.0;
   const SensorPlaces places{scene.faces, *scene.rays, scene.reachable_triangles, scene.rooms};
   for (const GridRequest& request : study.grids) {
     for (NamedSensors& placed : place_sensors(request, places, scene.notices)) {
@@ -84,6 +91,7 @@ AllSensors place_all(const Study& study, Scene& scene, Results& results) {
       all.grids.resize(all.positions.size(), static_cast<std::uint32_t>(results.grids.size()));
       results.grids.push_back(std::move(grid));
     }
+    progress.advance(++placed_requests / static_cast<double>(study.grids.size()));
   }
   return all;
 }
@@ -118,6 +126,20 @@ void evaluate(const Study& study, const Solution& solution, const SolutionErrors
   grid.metrics = grid_metrics(grid, study.accuracy.target);
 }
 
+/// Each grid has its share of the phase by its sensors.
+void evaluate_all(const Study& study, const Solution& solution, const SolutionErrors& errors,
+                  std::vector<GridResult>& grids, std::uint64_t seed, Progress& progress) {
+  double all = 0.0;
+  for (const GridResult& grid : grids) all += static_cast<double>(grid.sensors.count());
+  double before = 0.0;
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    const double end = before + static_cast<double>(grids[g].sensors.count());
+    PhasePart part(progress, before / all, end / all);
+    evaluate(study, solution, errors, grids[g], mesh::hash(seed, g), part);
+    before = end;
+  }
+}
+
 /// Where the sky goes out of sight in the planes of a grid's sensors.
 void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult& grid) {
   std::set<std::array<long, 4>> planes;  // normal and offset, in thousandths
@@ -134,29 +156,42 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
   }
 }
 
-/// The surfaces, with the lines of discontinuity in their mesh where these are asked for.
-void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
-                   std::span<const NodeDirect> nodes, double scale_lux, Results& results) {
-  if (!study.mesh.discontinuities) {
-    results.surfaces = surface_values(solution, errors);
-    return;
-  }
+/// The surfaces with the lines of discontinuity in their mesh.
+void show_shadows(const Study& study, const Solution& solution, const SolutionErrors& errors,
+                  std::span<const NodeDirect> nodes, double scale_lux, Results& results, Progress& progress) {
   const Scene& scene = solution.scene();
   const double accuracy = study.accuracy.target;
   const double dark_lux = kDarkShare * scale_lux;
   const LocalPass local(solution, errors, nodes, accuracy, dark_lux);
+  progress.advance(0.0);
   const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements});
-  results.surfaces = surface_values(solution, errors, shown, light_mesh(solution, errors, shown, local));
+  progress.advance(kShareOfShownMesh);
+  PhasePart lighting(progress, kShareOfShownMesh, 1.0);
+  results.surfaces = surface_values(solution, errors, shown, light_mesh(solution, errors, shown, local, lighting));
   results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
   for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);
 }
 
-void conclude(const Study& study, const Scene& scene, Results& results) {
+/// The surfaces, with the lines of discontinuity in their mesh where these are asked for and limits allow.
+void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
+                   std::span<const NodeDirect> nodes, double scale_lux, Results& results, Progress& progress) {
+  if (study.mesh.discontinuities) {
+    try {
+      show_shadows(study, solution, errors, nodes, scale_lux, results, progress);
+      return;
+    } catch (const LimitedProgress::ShowingIsOver&) {
+      results.notices.emplace_back("the run was stopped before the shadow lines of the surfaces were found");
+    }
+  }
+  results.surfaces = surface_values(solution, errors);
+}
+
+void conclude(const Study& study, const Scene& scene, const LimitedProgress& progress, Results& results) {
   results.rooms = rooms_in_model(scene);
   results.clean = scene.clean_report;
   results.materials = scene.materials;
   results.assumptions = scene.assumptions;
-  results.notices = scene.notices;
+  results.notices.insert(results.notices.begin(), scene.notices.begin(), scene.notices.end());
   results.counts.parts = scene.faces.part_names.size();
   results.counts.polygons = study.model.polygon_count();
   results.counts.faces = scene.faces.count();
@@ -164,7 +199,9 @@ void conclude(const Study& study, const Scene& scene, Results& results) {
   results.counts.rays = scene.rays->count();
   results.horizontal_illuminance_lux = horizontal_illuminance(study.sky);
   results.accuracy_target = study.accuracy.target;
-  results.accuracy_met = true;
+  results.stopped = progress.stopped();
+  results.converged = progress.converged();
+  results.accuracy_met = results.converged;
   for (const GridResult& grid : results.grids) {
     results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);
     results.accuracy_met = results.accuracy_met && grid.metrics.accuracy_met;
@@ -187,46 +224,52 @@ void set_threads(int threads) {
   if (threads > 0) thread_limit() = limit_threads(static_cast<std::size_t>(threads));
 }
 
-Results run(const Study& study, Progress& progress) {
+Results run(const Study& study, Progress& watched, const Limits& limits) {
+  using Stage = LimitedProgress::Stage;
   Results results;
   Clock clock(results.phases);
+  LimitedProgress progress(watched, limits);
   clock.begin("cleaning the model", progress);
   Scene scene = build_scene(study, &progress);
 
   clock.begin("placing sensors", progress);
-  const AllSensors sensors = place_all(study, scene, results);
+  const AllSensors sensors = place_all(study, scene, results, progress);
 
   clock.begin("meshing", progress);
   mesh::MeshOptions mesh_options;
   mesh_options.max_size_m = kStartSizeM;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, mesh_options);
+  progress.advance(kShareOfStartMesh);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
+  progress.advance(1.0);
 
   clock.begin("direct light", progress);
+  progress.enter(Stage::kDirectLight);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
   const Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
   const double target = study.accuracy.target;
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
 
   clock.begin("linking", progress);
+  progress.enter(Stage::kLinking);
   const std::vector<NodeDirect> given = direct.nodes;
   const Transport transport =
       solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
 
   clock.begin("gathering", progress);
-  for (std::size_t g = 0; g < results.grids.size(); ++g) {
-    evaluate(study, solution, transport.errors, results.grids[g], mesh::hash(seed, g), progress);
-  }
+  progress.enter(Stage::kGathering);
+  evaluate_all(study, solution, transport.errors, results.grids, seed, progress);
 
   clock.begin("balancing", progress);
+  progress.enter(Stage::kShowing);
   results.energy = energy_balance(solution, transport, seed);
   results.counts.elements = solution.elements().size();
   results.counts.links = transport.links.size();
   results.counts.iterations = transport.iterations;
 
   clock.begin("shadows", progress);
-  show_surfaces(study, solution, transport.errors, given, importance.mean_lux(), results);
-  conclude(study, scene, results);
+  show_surfaces(study, solution, transport.errors, given, importance.mean_lux(), results, progress);
+  conclude(study, scene, progress, results);
   clock.end();
   return results;
 }

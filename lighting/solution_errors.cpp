@@ -164,8 +164,13 @@ class Reflections {
 }  // namespace
 
 SolutionErrors::SolutionErrors(const Solution& solution, const Arrivals& arrivals, const Clusters& clusters,
-                               std::uint64_t seed)
-    : seed_(seed), irradiance_(Reflections(solution, arrivals, clusters, seed).run()) {}
+                               double missing, std::uint64_t seed)
+    : seed_(seed), irradiance_(Reflections(solution, arrivals, clusters, seed).run()) {
+  for (const ElementId e : solution.elements()) {
+    const double lux = solution.illuminance_at(e, solution.tree().centroid(e));
+    for (float& s : irradiance_[e.index()]) s += static_cast<float>(missing * lux);
+  }
+}
 
 SolutionErrors::Samples SolutionErrors::radiosity(const Solution& solution, ElementId e, const Point& at) const {
   Samples here = irradiance_[e.index()];

@@ -23,7 +23,9 @@ class SolutionErrors {
   SolutionErrors() = default;
   /// @param arrivals  of the links that the solution was made with
   /// @param clusters  that the links' sources are among
-  SolutionErrors(const Solution& solution, const Arrivals& arrivals, const Clusters& clusters, std::uint64_t seed);
+  /// @param missing   share of the light that iterations not made would still bring, everywhere alike
+  SolutionErrors(const Solution& solution, const Arrivals& arrivals, const Clusters& clusters, double missing,
+                 std::uint64_t seed);
 
   /// Errors of the reflected radiosity at a point of an element [lm/m²].
   [[nodiscard]] Samples radiosity(const Solution& solution, mesh::ElementId e, const mesh::Point& at) const;

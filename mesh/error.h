@@ -48,6 +48,12 @@ class MachineError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A limit that the user has set was met before there was anything to show. Exit status 4.
+class LimitReached : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The user interrupted the run. Exit status 130.
 class Interrupted : public std::runtime_error {
  public:

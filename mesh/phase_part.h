@@ -14,7 +14,8 @@ class PhasePart final : public Progress {
   PhasePart(Progress& whole, double begin, double end) : whole_(whole), begin_(begin), end_(end) {}
 
   void phase(std::string_view) override {}
-  void advance(double fraction) override { whole_.advance(begin_ + fraction * (end_ - begin_)); }
+  void advance(double fraction) override { whole_.advance(of_whole(fraction)); }
+  [[nodiscard]] bool should_finish(double until = 1.0) const override { return whole_.should_finish(of_whole(until)); }
 
   /// Tells of step `done` of `count` every so many steps, so that telling costs nothing beside them.
   void advance(std::size_t done, std::size_t count) {
@@ -23,6 +24,8 @@ class PhasePart final : public Progress {
   }
 
  private:
+  [[nodiscard]] double of_whole(double fraction) const { return begin_ + fraction * (end_ - begin_); }
+
   Progress& whole_;
   double begin_;
   double end_;

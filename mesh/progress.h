@@ -15,6 +15,10 @@ class Progress {
 
   /// The share of the current phase that is done [0 … 1]. Throws Interrupted when the run should stop.
   virtual void advance(double fraction) = 0;
+
+  /// Whether a computation that can end early, with a coarser answer and a larger error, should do so now: the time for the phase up to
+  /// this share of it is over, memory runs short, or the user wants what there is. Cheap; called from any thread.
+  [[nodiscard]] virtual bool should_finish(double /*until*/ = 1.0) const { return false; }
 };
 
 /// A progress that nobody watches.

@@ -153,6 +153,7 @@ void Rays::Data::attach(const Faces& faces, std::span<const std::uint8_t> passab
 
 void Rays::Data::build(const Faces& faces, std::span<const std::uint8_t> passable) {
   device = rtcNewDevice(nullptr);
+  if (rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (device == nullptr) throw MachineError("the ray tracing library does not start on this processor");
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
@@ -160,6 +161,8 @@ void Rays::Data::build(const Faces& faces, std::span<const std::uint8_t> passabl
   attach(faces, passable, 0);
   attach(faces, passable, 1);
   rtcCommitScene(scene);
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+    throw std::bad_alloc();  // nothing else can go wrong with sound triangles
   for (const Face& face : faces.faces) {
     planes.push_back({.origin = face.origin,
                       .frame = face.frame,

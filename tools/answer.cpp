@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -14,6 +15,7 @@
 #include "io/write_results.h"
 #include "lighting/run.h"
 #include "mesh/error.h"
+#include "mesh/memory.h"
 #include "tools/exit_status.h"
 #include "tools/failure.h"
 #include "tools/interruption.h"
@@ -35,13 +37,30 @@ struct Answer {
   std::string summary;
 };
 
+/// Of the memory that the system would let us have: it and others need some.
+constexpr double kShareOfMemory = 0.9;
+
+/// Time counts from here on. Memory that the machine does not have is refused, wherever it is asked for.
+lighting::Limits limits_of(const Options& options) {
+  lighting::Limits limits;
+  if (options.max_time_s) limits.time_s = *options.max_time_s;
+  limits.memory_asked = options.max_memory_bytes.has_value();
+  const std::uint64_t reach = memory_within_reach();
+  refuse_memory_beyond(reach);
+  limits.memory_bytes =
+      options.max_memory_bytes.value_or(static_cast<std::uint64_t>(kShareOfMemory * static_cast<double>(reach)));
+  return limits;
+}
+
 /// Runs and writes. What goes wrong by nobody's wish is told in the folder before it is told to the user.
 Answer run_and_write(const lighting::Study& study, const io::ResultContext& context, io::RunFigures figures,
-                     const Options& options) {
-  TerminalProgress progress(!options.quiet && stderr_is_terminal());
+                     const Options& options, const lighting::Limits& limits) {
+  TerminalProgress progress(!options.quiet && stderr_is_terminal(),
+                            options.keep_partial ? OnInterruption::kFinish : OnInterruption::kEnd);
+  if (options.keep_partial) end_orderly();
   try {
     Answer answer;
-    answer.results = with_file(options.study, [&] { return lighting::run(study, progress); });
+    answer.results = with_file(options.study, [&] { return lighting::run(study, progress, limits); });
     end_orderly();  // until here there is nothing on the disk
     answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
     return answer;
@@ -60,9 +79,18 @@ Answer run_and_write(const lighting::Study& study, const io::ResultContext& cont
   }
 }
 
+/// The exit status, and the line on stderr that belongs to it.
+int conclude(const lighting::Results& results, const Options& options) {
+  const bool by_user = results.stopped && results.stopped->by == lighting::Stop::By::kUser;
+  if (!by_user && results.accuracy_met) return kDone;
+  fmt::print(stderr, "error: {}; the results in {} are marked so\n", shortfall(results), options.out.string());
+  return by_user ? kInterruptedByUser : kAccuracyNotReached;
+}
+
 }  // namespace
 
 int answer(lighting::Study::Kind kind, const Options& options) {
+  const lighting::Limits limits = limits_of(options);
   const io::Stopwatch reading;
   const io::StudyInput input = io::read_study(options.study, {kind, options.set});
   const io::ResultContext context = context_of(input, options);
@@ -72,17 +100,13 @@ int answer(lighting::Study::Kind kind, const Options& options) {
   figures.threads = options.threads;
   lighting::set_threads(options.threads);
 
-  const Answer answer = run_and_write(input.study, context, std::move(figures), options);
+  const Answer answer = run_and_write(input.study, context, std::move(figures), options, limits);
   if (options.json) {
     print(answer.summary, kConsolation);
   } else if (!options.quiet) {
     print(report(answer.results, context, options.out), kConsolation);
   }
-  if (answer.results.accuracy_met) return kDone;
-  fmt::print(stderr,
-             "error: the accuracy of {:.3g} % was not reached, only {:.3g} %; the results in {} are marked so\n",
-             100.0 * answer.results.accuracy_target, 100.0 * answer.results.accuracy_reached, options.out.string());
-  return kAccuracyNotReached;
+  return conclude(answer.results, options);
 }
 
 }  // namespace clerestory::tools

@@ -23,6 +23,7 @@ Failure with_words(const std::exception& error) {
     const bool in_command = input->file().starts_with("--set");  // where the reader puts what an override gets wrong
     return {in_command ? kCommandLineAtFault : kInputAtFault, error.what()};
   }
+  if (is<LimitReached>(error)) return {kAccuracyNotReached, error.what()};
   if (is<Interrupted>(error)) return {kInterruptedByUser, error.what()};
   if (is<MachineError>(error) || is<std::system_error>(error)) return {kMachineAtFault, error.what()};
   if (is<std::bad_alloc>(error)) return {kMachineAtFault, "out of memory; ask for a lower accuracy or a coarser grid"};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <initializer_list>
 #include <string_view>
 
 #include "clerestory_version.h"
@@ -28,7 +29,7 @@ constexpr const char* kMainFooter = R"(Examples:
   clerestory illuminance office.toml --accuracy 5%    illuminance under the study's sky and lamps, quickly
 
 Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault, 3 the machine failed (memory, disk),
-4 the accuracy was not reached (results are written, and marked so), 130 interrupted.
+4 the accuracy was not reached, or not within the limits (results are written, and marked so), 130 interrupted.
 )";
 
 constexpr const char* kInspectFooter = R"(Examples:
@@ -64,6 +65,8 @@ constexpr const char* kIlluminanceFooter = R"(Examples:
   clerestory illuminance office.toml                  results in office-results/ beside the study
   clerestory illuminance office.toml --set sky.type=none -o night
   clerestory illuminance office.toml --threads 1 --accuracy 1%
+  clerestory illuminance city.toml --max-time 10min --max-memory 8GB --keep-partial
+                                                      what can be had within the limits, or until ctrl-C
 )";
 
 /// A subcommand, in the order of the help.
@@ -108,6 +111,9 @@ struct Raw {
   bool json = false;
   bool strict = false;
   bool lines = false;
+  std::string max_time;
+  std::string max_memory;
+  bool keep_partial = false;
 };
 
 void add_common_options(CLI::App& app, Raw& raw) {
@@ -131,6 +137,16 @@ void add_run_options(CLI::App& app, Raw& raw, const std::string& default_folder 
   app.add_option("--accuracy", raw.accuracy, "Accuracy to reach, as 2% or 0.02 (default: the study's, or 2 %)")
       ->type_name("SHARE");
   app.add_flag("--json", raw.json, "The summary as JSON on stdout, instead of the report");
+}
+
+void add_limits(CLI::App& app, Raw& raw) {
+  app.add_option("--max-time", raw.max_time,
+                 "Ends with what there is after so long, as 90s, 10min or 1.5h (default: no limit)")
+      ->type_name("DURATION");
+  app.add_option("--max-memory", raw.max_memory,
+                 "Ends with what there is before it needs more, as 500MB or 4GB (default: what the machine has left)")
+      ->type_name("SIZE");
+  app.add_flag("--keep-partial", raw.keep_partial, "Ctrl-C ends with what there is, instead of nothing");
 }
 
 void add_model_options(CLI::App& app, Raw& raw) {
@@ -170,6 +186,7 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
       break;
     default:
       add_run_options(own, raw);
+      add_limits(own, raw);
   }
 }
 
@@ -265,8 +282,27 @@ Options options_of(const Command& command, const Raw& raw, std::span<const char*
   options.json = raw.json;
   options.strict = raw.strict;
   options.lines = raw.lines;
+  if (!raw.max_time.empty()) options.max_time_s = parse_duration(raw.max_time);
+  if (!raw.max_memory.empty()) options.max_memory_bytes = parse_size(raw.max_memory);
+  options.keep_partial = raw.keep_partial;
   options.command = command_text(words);
   return options;
+}
+
+struct NamedUnit {
+  std::string_view name;
+  double size;
+};
+
+/// A number with one of the units behind it; 0 where it is none.
+double parse_quantity(std::string_view text, std::initializer_list<NamedUnit> units) {
+  const std::string_view trimmed = io::trim(text);
+  const std::size_t digits = std::min(trimmed.find_first_not_of("0123456789.eE+-"), trimmed.size());
+  const auto value = io::parse_number(io::trim(trimmed.substr(0, digits)));
+  const std::string_view unit = io::trim(trimmed.substr(digits));
+  for (const NamedUnit& known : units)
+    if (value && unit == known.name) return *value * known.size;
+  return 0.0;
 }
 
 std::string one_line(std::string text) {
@@ -314,6 +350,20 @@ double parse_accuracy(const std::string& text) {
     throw CommandLineError(
         fmt::format("--accuracy {} is not a share between 0 and 50 %; write 2% or 0.02", io::in_quotes(text)));
   return share;
+}
+
+double parse_duration(const std::string& text) {
+  const double seconds = parse_quantity(text, {{"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}});
+  if (seconds > 0.0) return seconds;
+  throw CommandLineError(fmt::format("--max-time {} is no duration; write 90s, 10min or 1.5h", io::in_quotes(text)));
+}
+
+std::uint64_t parse_size(const std::string& text) {
+  constexpr double kMega = 1 << 20;
+  constexpr double kMost = 1e15;
+  const double bytes = parse_quantity(text, {{"MB", kMega}, {"GB", 1024.0 * kMega}});
+  if (bytes >= 1.0 && bytes <= kMost) return static_cast<std::uint64_t>(bytes);
+  throw CommandLineError(fmt::format("--max-memory {} is no size; write 500MB or 4GB", io::in_quotes(text)));
 }
 
 }  // namespace clerestory::tools

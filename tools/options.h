@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -26,7 +28,11 @@ struct Options {
   bool json = false;
   bool strict = false;  ///< of inspect: what cannot be mended is an error
   bool lines = false;   ///< of mesh: the shadow lines alone
-  std::string command;  ///< the whole command line, words quoted where a shell needs it
+  // Of daylight and illuminance:
+  std::optional<double> max_time_s;
+  std::optional<std::uint64_t> max_memory_bytes;
+  bool keep_partial = false;  ///< ctrl-C ends the run with what it has
+  std::string command;        ///< the whole command line, words quoted where a shell needs it
 };
 
 /// What the command line asks for: a subcommand, or a text to be printed.
@@ -44,5 +50,11 @@ Request read_command_line(std::span<const char* const> words);
 
 /// The accuracy that "2%", "2 %" or "0.02" means, a share up to one half. Throws CommandLineError.
 double parse_accuracy(const std::string& text);
+
+/// The seconds that "90", "90 s", "10 min" or "1.5h" mean. Throws CommandLineError.
+double parse_duration(const std::string& text);
+
+/// The bytes that "500 MB" or "4GB" mean, in powers of 1024. Throws CommandLineError.
+std::uint64_t parse_size(const std::string& text);
 
 }  // namespace clerestory::tools

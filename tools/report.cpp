@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/stopwatch.h"
+#include "io/summary.h"
 #include "io/text_table.h"
 
 namespace clerestory::tools {
@@ -57,10 +58,18 @@ std::string left_out(const std::vector<lighting::GridResult>& grids) {
   return text;
 }
 
+std::string accuracy_line(const lighting::Results& results) {
+  const char* const outcome = results.accuracy_met ? "reached" : results.converged ? "NOT REACHED" : "NOT CONVERGED";
+  return fmt::format("accuracy  {} of {} asked: {}\n", percent(results.accuracy_reached),
+                     percent(results.accuracy_target), outcome);
+}
+
 std::string figures_of_the_run(const lighting::Results& results) {
   const lighting::EnergyBalance& e = results.energy;
-  std::string text = fmt::format("accuracy  {} of {} asked: {}\n", percent(results.accuracy_reached),
-                                 percent(results.accuracy_target), results.accuracy_met ? "reached" : "NOT REACHED");
+  std::string text = accuracy_line(results);
+  if (results.stopped)
+    text +=
+        fmt::format("stopped   by {} in the phase '{}'\n", io::word_of(results.stopped->by), results.stopped->phase);
   text += fmt::format("energy    {} lm emitted and {} lm received = {} lm absorbed and {} lm left, but for {}\n",
                       figure(e.emitted_lm), figure(e.received_lm), figure(e.absorbed_lm), figure(e.left_lm),
                       percent(std::abs(e.residual)));
@@ -91,6 +100,17 @@ std::string report(const lighting::Results& results, const io::ResultContext& co
   return heading(context) + (daylight ? daylight_table(results.grids) : illuminance_table(results.grids)) + "\n" +
          left_out(results.grids) + figures_of_the_run(results) + places(results, out) +
          sentences("assumed", results.assumptions) + sentences("note", results.notices);
+}
+
+std::string shortfall(const lighting::Results& results) {
+  std::string text;
+  if (results.stopped)
+    text = fmt::format("stopped by {} in the phase '{}': ", io::word_of(results.stopped->by), results.stopped->phase);
+  if (results.accuracy_reached <= results.accuracy_target)
+    return text + fmt::format("{} of {} asked, not converged", percent(results.accuracy_reached),
+                              percent(results.accuracy_target));
+  return text + fmt::format("the accuracy of {} was not reached, only {}", percent(results.accuracy_target),
+                            percent(results.accuracy_reached));
 }
 
 }  // namespace clerestory::tools

@@ -15,4 +15,7 @@ namespace clerestory::tools {
 std::string report(const lighting::Results& results, const io::ResultContext& context,
                    const std::filesystem::path& out);
 
+/// What kept a run from its accuracy: "the accuracy of 2 % was not reached, only 3.1 %", after what has stopped it.
+std::string shortfall(const lighting::Results& results);
+
 }  // namespace clerestory::tools

@@ -28,7 +28,8 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-TerminalProgress::TerminalProgress(bool visible) : visible_(visible) {}
+TerminalProgress::TerminalProgress(bool visible, OnInterruption on_interruption)
+    : visible_(visible), on_interruption_(on_interruption) {}
 
 void TerminalProgress::phase(std::string_view name) {
   phase_ = name;
@@ -37,7 +38,7 @@ void TerminalProgress::phase(std::string_view name) {
 }
 
 void TerminalProgress::advance(double fraction) {
-  if (interrupted()) throw Interrupted();
+  if (on_interruption_ == OnInterruption::kEnd && interrupted()) throw Interrupted();
   const auto now = Clock::now();
   if (!visible_ || now - start_ < kQuietStart || now - last_shown_ < kBetweenLines) return;
   const Seconds elapsed = now - phase_start_;
@@ -45,6 +46,10 @@ void TerminalProgress::advance(double fraction) {
   std::fflush(stderr);
   last_shown_ = now;
   shown_ = true;
+}
+
+bool TerminalProgress::should_finish(double) const {
+  return on_interruption_ == OnInterruption::kFinish && interrupted();
 }
 
 void TerminalProgress::clear() {

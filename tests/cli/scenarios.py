@@ -134,6 +134,53 @@ def interruption_leaves_the_folder_as_it_was(command):
         expect(command.contents() == before, "something has changed")
 
 
+def interruption_keeps_what_there_is_when_asked(command):
+    process = command.start("daylight", "room.toml", "--set", "grids.0.spacing=0.02", "--accuracy", "0.2%",
+                            "--keep-partial")
+    time.sleep(2.0)  # the clean-up takes a tenth of a second
+    expect(process.poll() is None, "the run ended too soon to be interrupted")
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    expect(process.returncode == 130, f"status {process.returncode}: {err}")
+    expect(err.startswith("error: stopped by interruption in the phase") and "stopped   by interruption" in out, err)
+    expect(set(command.contents("room-results")) >= RESULTS - {"discontinuities.vtp"}, "results are missing")
+    summary = json.loads(command.contents("room-results")["summary.json"])
+    expect(summary["status"] == "partial" and summary["stopped"]["by"] == "interruption", f"it says {summary}")
+
+
+def limit_on_time_ends_with_what_there_is(command):
+    begin = time.monotonic()
+    err = command.run("daylight", "room.toml", "--quiet", "--set", "grids.0.spacing=0.02", "--accuracy", "0.2%",
+                      "--max-time", "2s", status=4, lines=1)
+    expect(time.monotonic() - begin < 20.0, "it took too long")
+    expect(err.startswith("error: stopped by time in the phase"), err)
+    summary = json.loads(command.contents("room-results")["summary.json"])
+    expect(summary["status"] == "accuracy-not-reached" and summary["stopped"]["by"] == "time", f"it says {summary}")
+
+
+def limit_met_with_nothing_to_show_leaves_nothing_stale(command):
+    command.run("daylight", "room.toml", "--quiet")
+    older = command.contents("room-results")
+    for limit in (("--max-time", "0.001s"), ("--max-memory", "1MB")):
+        err = command.run("daylight", "room.toml", *limit, status=4, lines=1)
+        expect(limit[0] in err and "to show" in err, f"no remedy: {err}")
+        after = command.contents("room-results")
+        expect(json.loads(after.pop("summary.json"))["status"] == "failed", "the failure is not recorded")
+        expect(after == {f"previous/{name}": data for name, data in older.items()}, f"there are {sorted(after)}")
+
+
+def memory_that_runs_out_is_an_error_and_leaves_nothing_stale(command):
+    command.run("daylight", "room.toml", "--quiet")
+    older = command.contents("room-results")
+    # Enough to start and to read the study, too little to solve it.
+    err = command.run("daylight", "room.toml", "--set", "grids.0.spacing=0.003", status=3, lines=1,
+                      prepare=lambda: resource.setrlimit(resource.RLIMIT_DATA, (150 << 20, 150 << 20)))
+    expect("memory" in err, f"the reason is not named: {err}")
+    after = command.contents("room-results")
+    expect(json.loads(after.pop("summary.json"))["status"] == "failed", "the failure is not recorded")
+    expect(after == {f"previous/{name}": data for name, data in older.items()}, f"there are {sorted(after)}")
+
+
 def lines_of_two_gigabytes_are_refused_at_once(command):
     begin = {"obj": b"v ", "mtl": b"newmtl ", "stl": b"solid ", "ply": b"ply\nformat ascii 1.0\ncomment ", "off": b"OFF\n",
              "dxf": b"0\n", "rad": b"void plastic ", "gltf": b"{", "dae": b"<?xml version=", "ifc": b"ISO-10303-21;",
@@ -165,7 +212,9 @@ def same_bytes_for_one_and_two_threads(command):
 SCENARIOS = {f.__name__: f for f in (
     clean_on_a_full_disk_leaves_what_was_there, clean_replaces_its_own_files_alone, current_folder_keeps_other_files,
     file_of_the_user_is_not_overwritten, full_disk_keeps_older_results, full_disk_writes_nothing,
-    interruption_leaves_the_folder_as_it_was, lines_of_two_gigabytes_are_refused_at_once,
+    interruption_keeps_what_there_is_when_asked, interruption_leaves_the_folder_as_it_was,
+    limit_met_with_nothing_to_show_leaves_nothing_stale, limit_on_time_ends_with_what_there_is,
+    lines_of_two_gigabytes_are_refused_at_once, memory_that_runs_out_is_an_error_and_leaves_nothing_stale,
     same_bytes_for_one_and_two_threads, second_run_replaces_the_first)}
 
 

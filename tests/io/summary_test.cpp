@@ -53,6 +53,20 @@ json parsed(const lighting::Results& results, const RunFigures& figures = {}) {
   return json::parse(summary_json(results, small_context(), figures));
 }
 
+TEST(Summary, SaysWhatHasStoppedARun) {
+  lighting::Results results = small_results();
+  EXPECT_TRUE(parsed(results)["stopped"].is_null());
+  EXPECT_EQ(parsed(results)["accuracy"]["converged"], true);
+  results.converged = results.accuracy_met = false;
+  results.stopped = lighting::Stop{lighting::Stop::By::kMemory, "linking"};
+  EXPECT_EQ(parsed(results)["status"], "accuracy-not-reached");
+  EXPECT_EQ(parsed(results)["stopped"], json::parse(R"({"by": "memory", "phase": "linking"})"));
+  EXPECT_EQ(parsed(results)["accuracy"]["converged"], false);
+  results.stopped->by = lighting::Stop::By::kUser;
+  EXPECT_EQ(parsed(results)["status"], "partial");
+  EXPECT_EQ(parsed(results)["stopped"]["by"], "interruption");
+}
+
 TEST(Summary, SaysWhatRanAndHow) {
   const json j = parsed(small_results());
   EXPECT_EQ(j["status"], "done");

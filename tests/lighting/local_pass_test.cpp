@@ -205,7 +205,8 @@ TEST(SurfaceValuesInShadow, PointsMeetTheShadowThatElementsMiss) {
   const Lit lit(lamp_over_shelf(0.0), 0.02);
   const Lit exact(lamp_over_shelf(0.0));
   const ShownMesh shown = lit.shown(100000);
-  const LitMesh light = light_mesh(lit.solution, lit.transport.errors, shown, lit.local_pass);
+  NoProgress nobody;
+  const LitMesh light = light_mesh(lit.solution, lit.transport.errors, shown, lit.local_pass, nobody);
   const double with = worst(surface_values(lit.solution, lit.transport.errors, shown, light), exact);
   const double without = worst(surface_values(lit.solution, lit.transport.errors), exact);
   EXPECT_LT(2.0 * with, without);

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "mesh/error.h"
 #include "tests/lighting/stages.h"
@@ -104,6 +105,59 @@ TEST(Run, DaylightFactorsAreSharesOfTheHorizontalIlluminance) {
   ASSERT_EQ(grid.daylight_factor_percent.size(), 2U);
   EXPECT_NEAR(grid.daylight_factor_percent[0], grid.illuminance_lux[0] / 50.0, 1e-4);
   EXPECT_TRUE(grid.metrics.has_daylight_factor);
+}
+
+/// A user who wants what there is from a phase on.
+class Impatient final : public Progress {
+ public:
+  explicit Impatient(std::string phase) : phase_(std::move(phase)) {}
+  void phase(std::string_view name) override { wants_it_ = wants_it_ || name == phase_; }
+  void advance(double) override {}
+  [[nodiscard]] bool should_finish(double) const override { return wants_it_; }
+
+ private:
+  std::string phase_;
+  bool wants_it_ = false;
+};
+
+TEST(Run, StoppedInAnyPhaseOfTheLightItGivesWhatItHasWithErrorsThatHold) {
+  Study study = room_study();
+  study.accuracy.target = 0.01;
+  const Results whole = answer(study);
+  for (const std::string phase : {"direct light", "linking", "gathering"}) {
+    Impatient user(phase);
+    const Results results = run(study, user);
+    ASSERT_TRUE(results.stopped) << phase;
+    EXPECT_EQ(results.stopped->by, Stop::By::kUser);
+    EXPECT_EQ(results.stopped->phase, phase);
+    EXPECT_EQ(results.converged, phase == "gathering");
+    EXPECT_FALSE(results.accuracy_met) << phase;
+    EXPECT_LT(results.counts.rays, whole.counts.rays) << phase;
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_GT(results.grids[0].error_lux[i], whole.grids[0].error_lux[i]) << phase;
+      EXPECT_NEAR(results.grids[0].illuminance_lux[i], whole.grids[0].illuminance_lux[i],
+                  2.0 * results.grids[0].error_lux[i])
+          << phase;
+    }
+    EXPECT_FALSE(results.surfaces.cells.empty());
+  }
+}
+
+TEST(Run, StoppedBeforeShadowsAreFoundItShowsSurfacesWithoutThem) {
+  Impatient user("shadows");
+  const Results results = run(room_study(), user);
+  EXPECT_FALSE(results.shadow_lines);
+  EXPECT_TRUE(results.accuracy_met);
+  EXPECT_EQ(results.grids[0].illuminance_lux, answer(room_study()).grids[0].illuminance_lux);
+  EXPECT_FALSE(results.surfaces.cells.empty());
+  EXPECT_THAT(results.notices, Contains(HasSubstr("before the shadow lines")));
+}
+
+TEST(Run, StoppedBeforeThereIsAnythingToShowItFails) {
+  Impatient user("meshing");
+  EXPECT_THROW(run(room_study(), user), Interrupted);
+  NoProgress nobody;
+  EXPECT_THROW(run(room_study(), nobody, {.time_s = 1e-6}), LimitReached);
 }
 
 TEST(Run, CountsAndPhasesAreToldOff) {

@@ -23,8 +23,8 @@ struct Box : test::Stage {
     return study;
   }
 
-  [[nodiscard]] SolutionErrors errors(const std::vector<Link>& links) const {
-    return {solution, Arrivals(links, solution.tree()), Clusters(solution.scene(), solution.tree()), 1};
+  [[nodiscard]] SolutionErrors errors(const std::vector<Link>& links, double missing = 0.0) const {
+    return {solution, Arrivals(links, solution.tree()), Clusters(solution.scene(), solution.tree()), missing, 1};
   }
 
   ElementId floor = root("floor");
@@ -36,6 +36,16 @@ TEST(SolutionErrors, NoneComeOfNone) {
   const SolutionErrors errors = box.errors({});
   EXPECT_EQ(errors.mean_error(box.floor), 0.0);
   EXPECT_EQ(errors.point_error(box.solution, box.floor), 0.0);
+}
+
+TEST(SolutionErrors, LightOfIterationsNotMadeIsMissingEverywhereAlike) {
+  Box box;
+  for (const ElementId e : {box.floor, box.ceiling}) box.solution.direct(e)[0].value = 200.0F;
+  box.solution.push_pull();
+  const SolutionErrors errors = box.errors({}, 0.01);
+  EXPECT_NEAR(errors.mean_error(box.floor), 2.0, 1e-5);
+  const auto there = errors.radiosity(box.solution, box.ceiling, box.solution.tree().centroid(box.ceiling));
+  for (const float e : there) EXPECT_NEAR(e, kReflectance * 2.0, 1e-5);
 }
 
 TEST(SolutionErrors, OfANodeAreThoseOfAllItsPartsAlike) {

@@ -30,6 +30,9 @@ class Listener final : public Progress {
     shares.back().push_back(fraction);
   }
 
+  [[nodiscard]] bool should_finish(double until) const override { return until < finish_before; }
+
+  double finish_before = 0.0;
   std::vector<std::string> phases;
   std::vector<std::vector<double>> shares;  ///< of each phase
 };
@@ -43,6 +46,15 @@ TEST(PhasePart, IsAStretchOfThePhase) {
   quarter.advance(1.0);
   EXPECT_THAT(listener.phases, ElementsAre());
   EXPECT_THAT(listener.shares, ElementsAre(ElementsAre(0.75, 0.75)));
+}
+
+TEST(PhasePart, FinishesWithItsShareOfTheTime) {
+  Listener listener;
+  listener.finish_before = 0.7;
+  const PhasePart half(listener, 0.5, 1.0);
+  EXPECT_TRUE(half.should_finish(0.3));
+  EXPECT_FALSE(half.should_finish(0.5));
+  EXPECT_FALSE(half.should_finish());
 }
 
 TEST(PhasePart, TellsOfStepsNowAndThen) {

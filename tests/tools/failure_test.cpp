@@ -21,6 +21,7 @@ TEST(Failure, HasTheDocumentedExitStatus) {
   EXPECT_EQ(describe(std::bad_alloc()).status, 3);
   EXPECT_EQ(describe(std::filesystem::filesystem_error("gone", std::error_code())).status, 3);
   EXPECT_EQ(describe(std::logic_error("bug")).status, 3);
+  EXPECT_EQ(describe(LimitReached("late")).status, 4);
   EXPECT_EQ(describe(Interrupted()).status, 130);
 }
 

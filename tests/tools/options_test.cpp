@@ -109,5 +109,32 @@ TEST(Options, HelpHasExamplesAndExitStatuses) {
   EXPECT_EQ(read({"--version"}).text, read({"daylight", "--version"}).text);
 }
 
+TEST(Options, LimitsHaveUnits) {
+  EXPECT_EQ(parse_duration("90"), 90.0);
+  EXPECT_EQ(parse_duration("90 s"), 90.0);
+  EXPECT_EQ(parse_duration("10min"), 600.0);
+  EXPECT_EQ(parse_duration(" 1.5 h "), 5400.0);
+  EXPECT_EQ(parse_size("500MB"), 500ULL << 20);
+  EXPECT_EQ(parse_size("1.5 GB"), 1536ULL << 20);
+  for (const char* wrong : {"", "s", "-3s", "0", "10 days", "nan", "1e400"}) {
+    EXPECT_THROW(parse_duration(wrong), CommandLineError) << wrong;
+  }
+  for (const char* wrong : {"", "GB", "4", "-4GB", "4 TBs", "1e9GB"}) {
+    EXPECT_THROW(parse_size(wrong), CommandLineError) << wrong;
+  }
+}
+
+TEST(Options, LimitsAreOfRunsAlone) {
+  const Options options =
+      read({"illuminance", "a.obj", "--max-time", "2min", "--max-memory", "4GB", "--keep-partial"}).options;
+  EXPECT_EQ(options.max_time_s, 120.0);
+  EXPECT_EQ(options.max_memory_bytes, 4ULL << 30);
+  EXPECT_TRUE(options.keep_partial);
+  EXPECT_FALSE(read({"daylight", "a.obj"}).options.max_time_s);
+  EXPECT_THAT(complaint({"daylight", "a.obj", "--max-time", "soon"}), HasSubstr("10min"));
+  EXPECT_THAT(complaint({"daylight", "a.obj", "--max-memory", "4"}), HasSubstr("4GB"));
+  EXPECT_THAT(complaint({"clean", "a.obj", "-o", "b.obj", "--max-time", "1s"}), HasSubstr("unknown option"));
+}
+
 }  // namespace
 }  // namespace clerestory::tools

@@ -63,6 +63,18 @@ TEST(Report, AnAccuracyThatWasNotReachedStandsOut) {
   EXPECT_THAT(report_of(results, lighting::Study::Kind::kDaylight), HasSubstr("NOT REACHED"));
 }
 
+TEST(Report, ARunThatWasStoppedSaysByWhatAndWhere) {
+  auto results = one_grid();
+  results.stopped = lighting::Stop{lighting::Stop::By::kTime, "linking"};
+  results.converged = results.accuracy_met = false;
+  const std::string text = report_of(results, lighting::Study::Kind::kDaylight);
+  EXPECT_THAT(text, HasSubstr("of 2.00 % asked: NOT CONVERGED\nstopped   by time in the phase 'linking'\n"));
+  EXPECT_EQ(shortfall(results), "stopped by time in the phase 'linking': 1.78 % of 2.00 % asked, not converged");
+  results.accuracy_reached = 0.04;
+  EXPECT_EQ(shortfall(results),
+            "stopped by time in the phase 'linking': the accuracy of 2.00 % was not reached, only 4.00 %");
+}
+
 TEST(Report, SaysEachAssumptionAndNoticeOnce) {
   auto results = one_grid();
   results.assumptions = {"units are metres", "units are metres"};
