@@ -94,7 +94,7 @@ TEST(Summary, AGridWithoutDaylightFactorHasNoSuchKeys) {
 
 TEST(Summary, HoldsAccuracyEnergyCountsMaterialsAndDefects) {
   const json j = parsed(small_results());
-  EXPECT_EQ(j["accuracy"], (json{{"asked", 0.02}, {"reached", 0.018}, {"met", true}}));
+  EXPECT_EQ(j["accuracy"], (json{{"asked", 0.02}, {"reached", 0.018}, {"met", true}, {"converged", true}}));
   EXPECT_EQ(j["energy_balance"]["emitted_lm"], 1000.0);
   EXPECT_EQ(j["energy_balance"]["residual"], 1e-4);
   EXPECT_EQ(j["counts"]["links"], 4321);
