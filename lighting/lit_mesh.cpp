@@ -7,6 +7,7 @@
 
 #include "lighting/mesh_grading.h"
 #include "lighting/parallel.h"
+#include "mesh/contact_sectors.h"
 
 namespace clerestory::lighting {
 
@@ -27,7 +28,7 @@ struct Place {
 class Lighter {
  public:
   Lighter(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown, const LocalPass& local)
-      : solution_(solution), errors_(errors), shown_(shown), local_(local) {}
+      : solution_(solution), errors_(errors), shown_(shown), local_(local), sectors_(solution.scene().faces) {}
 
   LitMesh run(Progress& progress) {
     for (std::size_t s = 0; s < shown_.shown.size(); ++s) {
@@ -77,7 +78,8 @@ class Lighter {
       const Point inside = inside_from(c[k], cell.middle);
       const ElementId element = solution_.element_at(side, t.region, inside);
       const auto number = static_cast<std::uint32_t>(lit_.points.size());
-      const auto [entry, added] = known_.try_emplace({vertices[k], t.region, patch}, number);
+      const auto [entry, added] =
+          known_.try_emplace({vertices[k], t.region, patch, sectors_.at(side.face, c[k], cell.middle)}, number);
       if (added) add_point(c[k], {element, inside});
       cell.points[k] = entry->second;
       add_solved(entry->second, element, c[k], cell.area);
@@ -107,7 +109,8 @@ class Lighter {
   LitMesh lit_;
   std::vector<Place> places_;
   std::vector<double> weights_;
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> known_;  // vertex, region and patch of a side
+  mesh::ContactSectors sectors_;
+  std::map<std::array<std::uint32_t, 4>, std::uint32_t> known_;  // vertex, region, patch and sector of a side
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lighting/parallel.h"
+#include "mesh/contact_sectors.h"
 #include "mesh/element_tree.h"
 
 namespace clerestory::lighting {
@@ -54,7 +55,7 @@ struct Judged {
 class Judge {
  public:
   Judge(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh)
-      : solution_(solution), local_(local), mesh_(mesh) {}
+      : solution_(solution), local_(local), mesh_(mesh), sectors_(solution.scene().faces) {}
 
   void add_side(FaceSide side, bool jumps) {
     const std::size_t first = mesh_.starts[side.face.index()];
@@ -100,13 +101,11 @@ class Judge {
     for (std::size_t k = 0; k < 6; ++k) {
       const std::uint32_t a = t.vertices[k % 3];
       const std::uint32_t b = k < 3 ? a : t.vertices[(k + 1) % 3];
-      const std::array<std::uint32_t, 4> key{std::min(a, b), std::max(a, b), jumps ? t.patch + 1 : 0,
-                                             static_cast<std::uint32_t>(side.side)};
+      const Point at = midpoint(mesh_.vertices[a], mesh_.vertices[b]);
+      const std::array<std::uint32_t, 5> key{std::min(a, b), std::max(a, b), jumps ? t.patch + 1 : 0,
+                                             static_cast<std::uint32_t>(side.side), sectors_.at(side.face, at, middle)};
       const auto [entry, fresh] = known_.try_emplace(key, probes_.size());
-      if (fresh) {
-        const Point at = midpoint(mesh_.vertices[a], mesh_.vertices[b]);
-        probes_.push_back({side, t.region, inside_from(at, middle)});
-      }
+      if (fresh) probes_.push_back({side, t.region, inside_from(at, middle)});
       judged.probes[k] = entry->second;
     }
     judged_.push_back(judged);
@@ -142,7 +141,8 @@ class Judge {
   const mesh::Triangulation& mesh_;
   std::vector<Probe> probes_;
   std::vector<Judged> judged_;
-  std::map<std::array<std::uint32_t, 4>, std::size_t> known_;
+  mesh::ContactSectors sectors_;
+  std::map<std::array<std::uint32_t, 5>, std::size_t> known_;
 };
 
 /// The number of triangles that a mesh of these sizes has, about.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lighting/parallel.h"
+#include "mesh/contact_sectors.h"
 #include "mesh/smooth_regions.h"
 #include "mesh/vertex_index.h"
 
@@ -47,6 +48,7 @@ class SurfaceWriter {
       : solution_(solution),
         errors_(errors),
         tree_(solution.tree()),
+        sectors_(solution.scene().faces),
         surface_of_(mesh::smooth_regions(solution.scene().faces)) {
     result_.part_names = solution.scene().faces.part_names;
     result_.material_names = solution.scene().faces.material_names;
@@ -131,11 +133,13 @@ class SurfaceWriter {
     return known.back();
   }
 
-  std::uint32_t point_of(ElementId root, const Point& p, std::uint32_t patch = 0) {
+  /// A corner of a cell with that middle: one for all cells of a region, but for those on the other side of a contact.
+  std::uint32_t point_of(ElementId root, const Point& p, const Point& middle) {
     if (const auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p))
       return curved_point(root, *limit);
     const auto grid = [](double x) { return static_cast<std::int64_t>(std::llround(x / kGrain)); };
-    const std::array<std::int64_t, 5> key{root.value, patch, grid(p.x), grid(p.y), grid(p.z)};
+    const std::array<std::int64_t, 5> key{root.value, sectors_.at(tree_.face_side(root).face, p, middle), grid(p.x),
+                                          grid(p.y), grid(p.z)};
     const auto [entry, added] = points_.try_emplace(key, static_cast<std::uint32_t>(result_.points.size()));
     if (added) add_point(p, tree_.normal(root));
     return entry->second;
@@ -145,7 +149,7 @@ class SurfaceWriter {
     std::array<std::uint32_t, 3> cell{};
     const auto corners = tree_.corners(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-      cell[k] = point_of(root, corners[k]);
+      cell[k] = point_of(root, corners[k], tree_.centroid(triangle));
       sums_[cell[k]] += tree_.area(triangle) * illuminance_at(element, corners[k]);
       weights_[cell[k]] += tree_.area(triangle);
     }
@@ -215,6 +219,7 @@ class SurfaceWriter {
   const mesh::ElementTree& tree_;
   SurfaceResult result_;
   std::map<std::array<std::int64_t, 5>, std::uint32_t> points_;
+  mesh::ContactSectors sectors_;
   mesh::VertexIndex places_{kGrainOfFaces};             // of curved parts
   std::vector<std::vector<std::uint32_t>> surface_of_;  // [faces][regions] of curved parts
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> curved_points_;

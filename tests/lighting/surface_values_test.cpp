@@ -137,6 +137,34 @@ TEST(SurfaceValues, LightDoesNotCrossAContact) {
   EXPECT_GT(dark, 0);
 }
 
+TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
+  // The screen x = 2 leaves the floor connected round its end at y = 3; the source shines from the side x < 2.
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_quad(model, {2, 0, 0}, {2, 3, 0}, {2, 3, 2}, {2, 0, 2}, {"screen", "screen"});
+  Study study = test::study_of(std::move(model), 0.0, {1, 2, 1});
+  study.point_sources.push_back({.at = {1, 2, 1}, .intensity_cd = 1000.0});
+  const test::Solved solved(study);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
+  int lit = 0;
+  int dark = 0;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
+    Vector middle;
+    for (const std::uint32_t p : s.cells[i]) middle = middle + (s.points[p] - Point{}) / 3.0;
+    for (const std::uint32_t p : s.cells[i]) {
+      if (std::abs(s.points[p].x - 2.0) > 1e-6 || s.points[p].y > 2.5) continue;
+      (middle.x < 2.0 ? lit : dark) += 1;
+      if (middle.x < 2.0) {
+        EXPECT_GT(s.point_illuminance_lux[p], 50.0F);
+      } else {
+        EXPECT_LT(s.point_illuminance_lux[p], 10.0F);
+      }
+    }
+  }
+  EXPECT_GT(lit, 0);
+  EXPECT_GT(dark, 0);
+}
+
 /// A ball of limit surface, some 1 m across, in the middle of a room that shines evenly.
 Study ball_in_a_furnace() {
   mesh::Model model = support::cube_cage();
