@@ -94,9 +94,9 @@ class SurfaceWriter {
       for (const ElementId t : triangles) add_cell(e, t, root);
     }
     find_rooms();
-    for (std::size_t i = 0; i < result_.points.size(); ++i) {
-      result_.point_illuminance_lux.push_back(static_cast<float>(sums_[i] / weights_[i]));
-    }
+    for (std::size_t i = 0; i < result_.points.size(); ++i) sums_[i] /= weights_[i];
+    anchor();
+    result_.point_illuminance_lux.assign(sums_.begin(), sums_.end());
     return std::move(result_);
   }
 
@@ -137,12 +137,40 @@ class SurfaceWriter {
   std::uint32_t point_of(ElementId root, const Point& p, const Point& middle) {
     if (const auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p))
       return curved_point(root, *limit);
-    const auto grid = [](double x) { return static_cast<std::int64_t>(std::llround(x / kGrain)); };
-    const std::array<std::int64_t, 5> key{root.value, sectors_.at(tree_.face_side(root).face, p, middle), grid(p.x),
-                                          grid(p.y), grid(p.z)};
+    const std::array<std::uint32_t, 3> key{root.value, sectors_.at(tree_.face_side(root).face, p, middle),
+                                           flat_places_.add(p)};
     const auto [entry, added] = points_.try_emplace(key, static_cast<std::uint32_t>(result_.points.size()));
     if (added) add_point(p, tree_.normal(root));
     return entry->second;
+  }
+
+  /// An edge of a cell of a flat surface, and the middle of the cell.
+  struct Edge {
+    ElementId root;
+    std::array<std::uint32_t, 2> points;
+    std::array<Point, 2> ends;
+    Point middle;
+  };
+
+  /// Where small cells meet a large one, their points on its edge get what its edge has there: so there are no cracks [Baum, Mann, Smith,
+  /// Winget 1991]. The large ones go first, as ends of their edges may hang on larger ones.
+  void anchor() {
+    const auto length = [](const Edge& edge) { return norm(edge.ends[1] - edge.ends[0]); };
+    std::stable_sort(edges_.begin(), edges_.end(), [&](const Edge& a, const Edge& b) { return length(a) > length(b); });
+    for (const Edge& edge : edges_) anchor(edge);
+  }
+
+  void anchor(const Edge& edge) {
+    const Point at = midpoint(edge.ends[0], edge.ends[1]);
+    const auto place = flat_places_.find(at);
+    if (!place) return;
+    const auto found =
+        points_.find({edge.root.value, sectors_.at(tree_.face_side(edge.root).face, at, edge.middle), *place});
+    if (found == points_.end()) return;
+    const std::uint32_t hanging = found->second;
+    sums_[hanging] = 0.5 * (sums_[edge.points[0]] + sums_[edge.points[1]]);
+    anchor({edge.root, {edge.points[0], hanging}, {edge.ends[0], at}, edge.middle});
+    anchor({edge.root, {hanging, edge.points[1]}, {at, edge.ends[1]}, edge.middle});
   }
 
   void add_cell(ElementId element, ElementId triangle, ElementId root) {
@@ -152,6 +180,12 @@ class SurfaceWriter {
       cell[k] = point_of(root, corners[k], tree_.centroid(triangle));
       sums_[cell[k]] += tree_.area(triangle) * illuminance_at(element, corners[k]);
       weights_[cell[k]] += tree_.area(triangle);
+    }
+    if (solution_.scene().faces.faces[tree_.face_side(root).face.index()].facets.empty()) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        edges_.push_back({root, {cell[k], cell[next]}, {corners[k], corners[next]}, tree_.centroid(triangle)});
+      }
     }
     const Point& middle = tree_.centroid(triangle);
     float radiosity = own_radiosity(tree_.face_side(element));
@@ -218,13 +252,15 @@ class SurfaceWriter {
   const SolutionErrors& errors_;
   const mesh::ElementTree& tree_;
   SurfaceResult result_;
-  std::map<std::array<std::int64_t, 5>, std::uint32_t> points_;
+  mesh::VertexIndex flat_places_{kGrain};
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> points_;  // root, sector and place
+  std::vector<Edge> edges_;
   mesh::ContactSectors sectors_;
   mesh::VertexIndex places_{kGrainOfFaces};             // of curved parts
   std::vector<std::vector<std::uint32_t>> surface_of_;  // [faces][regions] of curved parts
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> curved_points_;
   std::vector<std::pair<Point, Vector>> looks_;  // centroid and normal of each cell
-  std::vector<double> sums_;
+  std::vector<double> sums_;                     // by weight, of points; at last their values
   std::vector<double> weights_;
   std::span<const std::uint8_t> shown_;  // [sides] non-zero where they are no elements of the solution
 };

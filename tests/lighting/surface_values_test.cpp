@@ -165,6 +165,31 @@ TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
   EXPECT_GT(dark, 0);
 }
 
+TEST(SurfaceValues, HangingPointsHaveWhatTheEdgesOfLargerCellsHave) {
+  Study study = test::study_of(support::box_room(4, 4, 3), 0.3, {1, 2, 1});
+  study.point_sources.push_back({.at = {1, 2, 0.6}, .intensity_cd = 1000.0});
+  const test::Solved solved(study);
+  const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
+  int hanging = 0;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = s.cells[i][k];
+      const std::uint32_t b = s.cells[i][(k + 1) % 3];
+      const Vector along = s.points[b] - s.points[a];
+      for (std::size_t j = 0; j < s.points.size(); ++j) {
+        const Vector to = s.points[j] - s.points[a];
+        const double t = dot(to, along) / dot(along, along);
+        if (t < 1e-6 || t > 1.0 - 1e-6 || norm(to - t * along) > 1e-6) continue;
+        if (dot(s.point_normals[j], s.point_normals[a]) < 0.9) continue;
+        ++hanging;
+        const double edge = (1.0 - t) * s.point_illuminance_lux[a] + t * s.point_illuminance_lux[b];
+        EXPECT_NEAR(s.point_illuminance_lux[j], edge, 1e-5 * edge);
+      }
+    }
+  }
+  EXPECT_GT(hanging, 10);
+}
+
 /// A ball of limit surface, some 1 m across, in the middle of a room that shines evenly.
 Study ball_in_a_furnace() {
   mesh::Model model = support::cube_cage();
