@@ -402,10 +402,11 @@ constexpr StudyKey kKeys[] = {
     {.path = "accuracy.target",
      .type = kShare,
      .fallback = "0.02",
-     .meaning = "The RMS over the sensors of the relative standard uncertainty; a number, or a text such as \"2%\".",
-     .low = 0.0,
-     .high = 0.5,
-     .low_excluded = true},
+     .meaning =
+         "The RMS over the sensors of the relative standard uncertainty; a number, or a text such as \"2%\". The least "
+         "is what single precision and the rays of a sensor can reach at best.",
+     .low = kFinestAccuracy,
+     .high = kCoarsestAccuracy},
 };
 
 }  // namespace

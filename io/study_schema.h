@@ -11,6 +11,11 @@ namespace clerestory::io {
 
 struct StudyValue;
 
+/// Bounds of accuracy.target. The finest was reached for sensors in a room without occluders; nothing finer can be seen in single precision
+/// and with the rays that a sensor may have.
+inline constexpr double kFinestAccuracy = 1e-4;
+inline constexpr double kCoarsestAccuracy = 0.5;
+
 /// What may stand as the value of a key.
 enum class ValueType {
   kTable,

@@ -98,6 +98,29 @@ Json counts(const lighting::Results::Counts& c) {
           {"elements", c.elements}, {"links", c.links},       {"rays", c.rays},         {"iterations", c.iterations}};
 }
 
+Json ray_figures(std::uint64_t rays, double ray_s, double cpu_s) {
+  const auto count = static_cast<double>(rays);
+  Json json = numbers(
+      {{"per_cpu_second", cpu_s > 0.0 ? count / cpu_s : 0.0}, {"share_of_time", cpu_s > 0.0 ? ray_s / cpu_s : 0.0}});
+  json["count"] = rays;
+  return json;
+}
+
+/// Rays by phase, and of the solution: direct light and linking.
+Json rays_json(const std::vector<lighting::PhaseTime>& phases) {
+  Json json = Json::object();
+  lighting::PhaseTime solve;
+  for (const lighting::PhaseTime& phase : phases) {
+    if (phase.rays > 0) json[phase.name] = ray_figures(phase.rays, phase.ray_s, phase.cpu_s);
+    if (phase.name != "direct light" && phase.name != "linking") continue;
+    solve.rays += phase.rays;
+    solve.ray_s += phase.ray_s;
+    solve.cpu_s += phase.cpu_s;
+  }
+  json["solve"] = ray_figures(solve.rays, solve.ray_s, solve.cpu_s);
+  return json;
+}
+
 /// CPU and wall seconds, by phase; the CPU total is the whole process's, start-up included.
 Json times(const lighting::Results& results, const RunFigures& figures) {
   Json cpu = Json::object();
@@ -136,6 +159,7 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["grids"] = grid_summaries(results.grids);
   json["energy_balance"] = energy_balance(results.energy);
   json["counts"] = counts(results.counts);
+  json["rays"] = rays_json(results.phases);
   if (results.shadow_lines) {
     const lighting::ShadowLines& shadows = *results.shadow_lines;
     json["shadow_lines"] = shadow_lines_json(shadows.selection, shadows.lines.source_names.size());

@@ -108,6 +108,8 @@ struct PhaseTime {
   std::string name;
   double cpu_s = 0.0;
   double wall_s = 0.0;
+  std::uint64_t rays = 0;
+  double ray_s = 0.0;  ///< of the CPU time, in the ray tracer, about
 };
 
 /// The lines of discontinuity that are edges of a mesh; model coordinates [m]. Arrays by line.

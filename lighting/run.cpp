@@ -43,7 +43,7 @@ constexpr double kStartSizeM = 1e9;
 constexpr double kShareOfStartMesh = 0.8;
 constexpr double kShareOfShownMesh = 0.5;
 
-/// Notes the time of each phase.
+/// Notes the time of each phase, and its rays.
 class Clock {
  public:
   explicit Clock(std::vector<PhaseTime>& phases) : phases_(phases) {}
@@ -51,13 +51,18 @@ class Clock {
   void begin(std::string name, Progress& progress) {
     end();
     progress.phase(name);
-    phases_.push_back({std::move(name), cpu_s(), wall_s()});
+    const mesh::Rays::Use use = used();
+    phases_.push_back({std::move(name), cpu_s(), wall_s(), use.rays, use.seconds});
     running_ = true;
   }
+  /// Whose rays are noted from here on, those of the running phase too.
+  void watch(const mesh::Rays& rays) { rays_ = &rays; }
   void end() {
     if (!running_) return;
     phases_.back().cpu_s = cpu_s() - phases_.back().cpu_s;
     phases_.back().wall_s = wall_s() - phases_.back().wall_s;
+    phases_.back().rays = used().rays - phases_.back().rays;
+    phases_.back().ray_s = used().seconds - phases_.back().ray_s;
     running_ = false;
   }
 
@@ -67,7 +72,10 @@ class Clock {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
 
+  [[nodiscard]] mesh::Rays::Use used() const { return rays_ != nullptr ? rays_->use() : mesh::Rays::Use{}; }
+
   std::vector<PhaseTime>& phases_;
+  const mesh::Rays* rays_ = nullptr;
   bool running_ = false;
 };
 
@@ -196,7 +204,7 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
   results.counts.polygons = study.model.polygon_count();
   results.counts.faces = scene.faces.count();
   results.counts.openings = scene.openings.size();
-  results.counts.rays = scene.rays->count();
+  results.counts.rays = scene.rays->use().rays;
   results.horizontal_illuminance_lux = horizontal_illuminance(study.sky);
   results.accuracy_target = study.accuracy.target;
   results.stopped = progress.stopped();
@@ -231,6 +239,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   LimitedProgress progress(watched, limits);
   clock.begin("cleaning the model", progress);
   Scene scene = build_scene(study, &progress);
+  clock.watch(*scene.rays);
 
   clock.begin("placing sensors", progress);
   const AllSensors sensors = place_all(study, scene, results, progress);

@@ -3,8 +3,10 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -18,9 +20,33 @@ namespace {
 /// Rays are counted in this many places, so that threads do not wait for each other.
 constexpr std::size_t kCounters = 64;
 
+/// One call in so many is timed: the clock costs as much as a tenth of a ray.
+constexpr std::uint64_t kTimedCalls = 64;
+/// A call that took longer than this for a ray [ns] was not tracing: its thread had to wait for others.
+constexpr std::int64_t kWaited = 10'000;
+
 struct alignas(64) Counter {
   std::atomic<std::uint64_t> rays{0};
+  std::atomic<std::int64_t> timed_ns{0};
 };
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// What two looks at the clock cost without anything in between [ns].
+std::int64_t cost_of_clock_ns() {
+  constexpr int kLooks = 64;
+  const std::int64_t begin = now_ns();
+  for (int i = 1; i < kLooks; ++i) now_ns();
+  return (now_ns() - begin) / kLooks;
+}
+
+bool is_timed_call() {
+  thread_local std::uint64_t calls = 0;
+  return calls++ % kTimedCalls == 0;
+}
 
 std::size_t this_thread_counter() {
   static std::atomic<std::size_t> next{0};
@@ -52,6 +78,7 @@ struct Rays::Data {
   RTCScene scene = nullptr;
   Box bounds;
   double offset = 1e-5;
+  std::int64_t clock_ns = cost_of_clock_ns();
   std::vector<Face> planes;  // frames and origins of the faces, loops left out
   /// Embree geometry 0 holds the opaque triangles, geometry 1 the passable ones: primitive → face.
   std::array<std::vector<FaceId>, 2> face_of;
@@ -65,8 +92,19 @@ struct Rays::Data {
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  void count(std::uint64_t rays) const {
-    counters[this_thread_counter()].rays.fetch_add(rays, std::memory_order_relaxed);
+  /// Casts so many rays by a call, counts them, and times it now and then.
+  template <class Cast>
+  void cast(std::size_t rays, const Cast& call) const {
+    Counter& counter = counters[this_thread_counter()];
+    counter.rays.fetch_add(rays, std::memory_order_relaxed);
+    if (rays == 0 || !is_timed_call()) {
+      call();
+      return;
+    }
+    const std::int64_t begin = now_ns();
+    call();
+    const std::int64_t took = std::max<std::int64_t>(0, now_ns() - begin - clock_ns);
+    if (took < kWaited * static_cast<std::int64_t>(rays)) counter.timed_ns.fetch_add(took, std::memory_order_relaxed);
   }
   void build(const Faces& faces, std::span<const std::uint8_t> passable);
   void attach(const Faces& faces, std::span<const std::uint8_t> passable, unsigned geometry_id);
@@ -221,8 +259,7 @@ Hit Rays::first_hit(const Ray& ray) const {
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = 0xFFFFFFFFU;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(data_->scene, &context, &query);
-  data_->count(1);
+  data_->cast(1, [&] { rtcIntersect1(data_->scene, &context, &query); });
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
 
   const FaceId face = data_->face_of[query.hit.geomID][query.hit.primID];
@@ -246,33 +283,38 @@ void Rays::transmittance(std::span<const Segment> segments, std::span<float> pas
   shadow.passages = &data_->passages;
   shadow.curves = &data_->curves;
   shadow.planes = &data_->planes;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Vector d = segments[i].to - segments[i].from;
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(segments[i].from.x);
-    ray.org_y = static_cast<float>(segments[i].from.y);
-    ray.org_z = static_cast<float>(segments[i].from.z);
-    ray.dir_x = static_cast<float>(d.x);
-    ray.dir_y = static_cast<float>(d.y);
-    ray.dir_z = static_cast<float>(d.z);
-    ray.tfar = 1.0F;
-    ray.mask = 0xFFFFFFFFU;
-    shadow.passed = 1.0F;
-    shadow.last_face = FaceId();
-    rtcOccluded1(data_->scene, &shadow.context, &ray);
-    passed[i] = ray.tfar < 0.0F ? 0.0F : shadow.passed;
-  }
-  data_->count(segments.size());
+  data_->cast(segments.size(), [&] {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const Vector d = segments[i].to - segments[i].from;
+      RTCRay ray{};
+      ray.org_x = static_cast<float>(segments[i].from.x);
+      ray.org_y = static_cast<float>(segments[i].from.y);
+      ray.org_z = static_cast<float>(segments[i].from.z);
+      ray.dir_x = static_cast<float>(d.x);
+      ray.dir_y = static_cast<float>(d.y);
+      ray.dir_z = static_cast<float>(d.z);
+      ray.tfar = 1.0F;
+      ray.mask = 0xFFFFFFFFU;
+      shadow.passed = 1.0F;
+      shadow.last_face = FaceId();
+      rtcOccluded1(data_->scene, &shadow.context, &ray);
+      passed[i] = ray.tfar < 0.0F ? 0.0F : shadow.passed;
+    }
+  });
 }
 
 double Rays::offset_m() const { return data_->offset; }
 
 const Box& Rays::bounds() const { return data_->bounds; }
 
-std::uint64_t Rays::count() const {
-  std::uint64_t sum = 0;
-  for (const Counter& c : data_->counters) sum += c.rays.load(std::memory_order_relaxed);
-  return sum;
+Rays::Use Rays::use() const {
+  Use use;
+  for (const Counter& c : data_->counters) {
+    use.rays += c.rays.load(std::memory_order_relaxed);
+    use.seconds +=
+        1e-9 * static_cast<double>(kTimedCalls) * static_cast<double>(c.timed_ns.load(std::memory_order_relaxed));
+  }
+  return use;
 }
 
 }  // namespace clerestory::mesh

@@ -84,8 +84,12 @@ class Rays {
   /// Box of all faces.
   [[nodiscard]] const Box& bounds() const;
 
-  /// Rays cast so far by all threads.
-  [[nodiscard]] std::uint64_t count() const;
+  /// What rays have cost so far, all threads together.
+  struct Use {
+    std::uint64_t rays = 0;
+    double seconds = 0.0;  ///< about, in Embree with the setting up of its rays: some calls are timed, for all of them
+  };
+  [[nodiscard]] Use use() const;
 
  private:
   struct Data;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "clerestory_version.h"
+#include "io/study_schema.h"
 #include "io/words.h"
 
 namespace clerestory::tools {
@@ -18,7 +19,6 @@ namespace clerestory::tools {
 namespace {
 
 constexpr int kMostThreads = 1024;
-constexpr double kCoarsestAccuracy = 0.5;  // as the study file has it
 
 constexpr const char* kMainFooter = R"(Examples:
   clerestory inspect office.ifc                       parts, materials, rooms and defects of a model
@@ -346,9 +346,12 @@ double parse_accuracy(const std::string& text) {
   if (percent) number = io::trim(number.substr(0, number.size() - 1));
   const auto value = io::parse_number(number);
   const double share = value ? (percent ? *value / 100.0 : *value) : 0.0;
-  if (!(share > 0.0 && share <= kCoarsestAccuracy))
+  if (share > 0.0 && share < io::kFinestAccuracy)
+    throw CommandLineError(fmt::format("--accuracy {} is out of reach; ask for {:.6g} % or more", io::in_quotes(text),
+                                       100.0 * io::kFinestAccuracy));
+  if (!(share > 0.0 && share <= io::kCoarsestAccuracy))
     throw CommandLineError(
-        fmt::format("--accuracy {} is not a share between 0 and 50 %; write 2% or 0.02", io::in_quotes(text)));
+        fmt::format("--accuracy {} is not a share up to 50 %; write 2% or 0.02", io::in_quotes(text)));
   return share;
 }
 

@@ -48,7 +48,7 @@ struct Request {
 /// subcommand or an option is unknown.
 Request read_command_line(std::span<const char* const> words);
 
-/// The accuracy that "2%", "2 %" or "0.02" means, a share up to one half. Throws CommandLineError.
+/// The accuracy that "2%", "2 %" or "0.02" means, a share as accuracy.target of a study may have it. Throws CommandLineError.
 double parse_accuracy(const std::string& text);
 
 /// The seconds that "90", "90 s", "10 min" or "1.5h" mean. Throws CommandLineError.

@@ -48,8 +48,9 @@ TEST(StudyCheck, ValuesOutOfRangeAreRefusedWithWhatWasExpected) {
   EXPECT_THAT(refusal("[materials.wall]\nreflectance = nan\n"), HasSubstr("is nan, expected"));
   EXPECT_THAT(refusal("[[grids]]\nspacing = -0.25\n"), HasSubstr("grids.0.spacing is -0.25, expected a number over 0"));
   EXPECT_THAT(refusal("[[grids]]\nspacing = 'wide'\n"), HasSubstr("or \"en12464\""));
-  EXPECT_THAT(refusal("[accuracy]\ntarget = 0\n"), HasSubstr("expected a number over 0 up to 0.5"));
+  EXPECT_THAT(refusal("[accuracy]\ntarget = 0\n"), HasSubstr("expected a number from 0.0001 up to 0.5"));
   EXPECT_THAT(refusal("[accuracy]\ntarget = '60%'\n"), HasSubstr("accuracy.target is '60%'"));
+  EXPECT_THAT(refusal("[accuracy]\ntarget = '0.0001%'\n"), HasSubstr("from 0.0001 up to 0.5"));
   EXPECT_THAT(refusal("[materials.glass]\nglazing = { transmittance = 0 }\n"),
               HasSubstr("expected a number over 0 up to 1"));
   EXPECT_THAT(refusal("[sky]\nhorizontal_illuminance = 'bright'\n"), HasSubstr("[lux]"));

@@ -53,6 +53,16 @@ json parsed(const lighting::Results& results, const RunFigures& figures = {}) {
   return json::parse(summary_json(results, small_context(), figures));
 }
 
+TEST(Summary, TellsWhatRaysCost) {
+  lighting::Results results = small_results();
+  results.phases = {
+      {"direct light", 1.0, 1.0, 3000, 0.25}, {"linking", 1.0, 1.0, 1000, 0.25}, {"gathering", 0.5, 0.5, 10, 0.1}};
+  const json rays = parsed(results)["rays"];
+  EXPECT_EQ(rays["solve"], (json{{"count", 4000}, {"per_cpu_second", 2000.0}, {"share_of_time", 0.25}}));
+  EXPECT_EQ(rays["gathering"]["count"], 10);
+  EXPECT_DOUBLE_EQ(rays["gathering"]["share_of_time"], 0.2);
+}
+
 TEST(Summary, SaysWhatHasStoppedARun) {
   lighting::Results results = small_results();
   EXPECT_TRUE(parsed(results)["stopped"].is_null());

@@ -107,6 +107,39 @@ TEST(Run, DaylightFactorsAreSharesOfTheHorizontalIlluminance) {
   EXPECT_TRUE(grid.metrics.has_daylight_factor);
 }
 
+TEST(Run, ALampInEmptySpaceGivesWhatItsFormFactorSaysAndAllLeaves) {
+  mesh::Model model;
+  support::add_quad(model, {0, 0, 3}, {0, 1, 3}, {1, 1, 3}, {1, 0, 3}, {"lamp", "lamp"});
+  Study study = test::study_of(std::move(model), 0.0, {0.5, 0.5, 2.0});
+  test::shine(test::material(study, "lamp"), 1000.0);
+  study.grids[0].points.push_back({0.5, 0.5, 4.0});  // behind it
+  study.grids[0].normals.push_back({0, 0, -1});
+  const Results results = answer(study);
+  EXPECT_NEAR(results.grids[0].illuminance_lux[0], 239.456, 0.01);  // point under the centre of a unit square, 1 m away
+  EXPECT_EQ(results.grids[0].illuminance_lux[1], 0.0F);
+  EXPECT_NEAR(results.energy.left_lm, 1000.0, 1e-6);
+  EXPECT_NEAR(results.energy.residual, 0.0, 1e-9);
+}
+
+TEST(Run, AFloorOfSliversIsAFloor) {
+  const auto room_with_floor_of = [](int strips) {
+    mesh::Model model = support::box_room(4, 4, 3);
+    for (int i = 0; i < strips; ++i) {
+      const double x = 4.0 * i / strips;
+      const double end = 4.0 * (i + 1) / strips;
+      support::add_quad(model, {x, 0, 0.1}, {end, 0, 0.1}, {end, 4, 0.1}, {x, 4, 0.1}, {"wood", "boards"});
+    }
+    support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
+    Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
+    test::shine(test::material(study, "lamp"), 1000.0);
+    return study;
+  };
+  const Results whole = answer(room_with_floor_of(1));
+  const Results slivers = answer(room_with_floor_of(2000));
+  EXPECT_EQ(slivers.counts.faces, whole.counts.faces);
+  EXPECT_EQ(slivers.grids[0].illuminance_lux, whole.grids[0].illuminance_lux);
+}
+
 /// A user who wants what there is from a phase on.
 class Impatient final : public Progress {
  public:

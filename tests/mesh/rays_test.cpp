@@ -243,10 +243,10 @@ TEST(Rays, LiftGrowsWithTheExtentOfLargeModels) {
 
 TEST(Rays, EveryRayIsCounted) {
   const Site site(support::facing_squares(1.0));
-  const std::uint64_t before = site.rays.count();
+  const std::uint64_t before = site.rays.use().rays;
   std::ignore = site.hit({0.5, 0.5, 0.5}, {0, 0, 1});
   std::ignore = site.passes({0.5, 0.5, 0.5}, {0.5, 0.5, 0.6});
-  EXPECT_EQ(site.rays.count(), before + 2);
+  EXPECT_EQ(site.rays.use().rays, before + 2);
 }
 
 TEST(Rays, BoundsAreThoseOfTheFaces) {
@@ -254,6 +254,18 @@ TEST(Rays, BoundsAreThoseOfTheFaces) {
   EXPECT_NEAR(site.rays.bounds().size().x, 6.0, 1e-12);
   EXPECT_NEAR(site.rays.bounds().size().y, 8.0, 1e-12);
   EXPECT_NEAR(site.rays.bounds().size().z, 3.0, 1e-12);
+}
+
+TEST(Rays, TellWhatTheyCost) {
+  const Site site(support::box_room(4, 4, 3));
+  std::vector<Segment> segments(1000, Segment{{1, 1, 1}, {2, 2, 1}});
+  std::vector<float> passed(segments.size());
+  EXPECT_EQ(site.rays.use().seconds, 0.0);
+  for (int i = 0; i < 640; ++i) site.rays.transmittance(segments, passed);
+  EXPECT_EQ(site.rays.use().rays, 640'000U);
+  // Far from what they take on any machine, and not zero.
+  EXPECT_GT(site.rays.use().seconds, 640'000 * 1e-9);
+  EXPECT_LT(site.rays.use().seconds, 640'000 * 1e-5);
 }
 
 }  // namespace

@@ -109,6 +109,11 @@ TEST(Options, HelpHasExamplesAndExitStatuses) {
   EXPECT_EQ(read({"--version"}).text, read({"daylight", "--version"}).text);
 }
 
+TEST(Options, AnAccuracyOutOfReachIsRefusedWithWhatIsReachable) {
+  EXPECT_DOUBLE_EQ(parse_accuracy("0.01%"), 1e-4);
+  EXPECT_THAT(complaint({"daylight", "a.obj", "--accuracy", "0.0001%"}), HasSubstr("ask for 0.01 % or more"));
+}
+
 TEST(Options, LimitsHaveUnits) {
   EXPECT_EQ(parse_duration("90"), 90.0);
   EXPECT_EQ(parse_duration("90 s"), 90.0);
