@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "mesh/hash.h"
 
 namespace clerestory::mesh {
 
@@ -43,9 +44,10 @@ std::int64_t cost_of_clock_ns() {
   return (now_ns() - begin) / kLooks;
 }
 
+/// By chance: every so many rays of a low-discrepancy sequence look the same way.
 bool is_timed_call() {
   thread_local std::uint64_t calls = 0;
-  return calls++ % kTimedCalls == 0;
+  return mix(++calls) % kTimedCalls == 0;
 }
 
 std::size_t this_thread_counter() {
