@@ -122,18 +122,11 @@ double area_of(const ShadowSource& source) {
   return 0.5 * norm(doubled);
 }
 
-/// The share of a source that comes out from behind the occluder per metre across the line [1/m]. Behind what stands outdoors moves the
-/// sky, as seen through the opening.
-double uncovering(const mesh::DiscontinuityLine& line, double source_width) {
-  if (std::isinf(line.source_distance_m)) return 1.0 / source_width;
-  return line.source_distance_m / (std::max(line.receiver_distance_m, 1e-9) * source_width);
-}
-
-/// The share of a source that a strip as wide as the occluder covers, seen from the line: a mullion hides little of a lamp.
-double coverable(const mesh::DiscontinuityLine& line, double source_width, double occluder_width) {
-  if (std::isinf(line.source_distance_m)) return 1.0;
-  const double shadow = occluder_width * (line.source_distance_m + line.receiver_distance_m);
-  return shadow / (std::max(line.receiver_distance_m, 1e-9) * source_width);
+/// Of the source of a line, at its middle, without occluders [lux].
+double by_source(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line) {
+  const Vector& front = scene.faces.faces[line.face.index()].frame.w;
+  return unoccluded(sources, line.source, midpoint(line.ends[0], line.ends[1]),
+                    line.side == mesh::Side::kFront ? front : -front);
 }
 
 /// Twice the area over the perimeter: half the side of a square, the width of a strip.
@@ -146,6 +139,14 @@ double width_of(const mesh::Faces& faces, mesh::FaceId id) {
     }
   }
   return perimeter > 0.0 ? 2.0 * face.area_m2 / perimeter : std::sqrt(face.area_m2);
+}
+
+/// The share of a line's source that a strip as wide as the occluder covers, seen from the line: a mullion hides little of a lamp.
+double coverable(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line) {
+  if (line.order == 0 || std::isinf(line.source_distance_m)) return 1.0;
+  const double source_width = std::sqrt(area_of(sources.sources[line.source]));
+  const double shadow = width_of(scene.faces, line.occluder) * (line.source_distance_m + line.receiver_distance_m);
+  return std::min(1.0, shadow / (std::max(line.receiver_distance_m, 1e-9) * source_width));
 }
 
 double extent_of(const mesh::Faces& faces, mesh::FaceId id, const Vector& across) {
@@ -183,19 +184,14 @@ mesh::WeighedLine weigh(const Scene& scene, const ShadowSources& sources, const 
   const LineSurroundings around = options.surroundings ? options.surroundings(line, weighed.across)
                                                        : unsolved(scene, sources, line, weighed.across);
   weighed.size_m = around.element_size_m;
-  const double own = unoccluded(sources, line.source, midpoint(line.ends[0], line.ends[1]),
-                                line.side == mesh::Side::kFront ? front : -front);
-  const double all = around.illuminance_lux > 0.0 ? own / (around.illuminance_lux * options.tolerance) : 0.0;
-  const double width = std::sqrt(area_of(sources.sources[line.source]));
-  const double most = std::min(1.0, coverable(line, width, width_of(scene.faces, line.occluder)));
-  const double rate = uncovering(line, width);
-  if (line.order == 0) {
-    weighed.missed = [all](double) { return all; };
-  } else if (line.order == 1) {
-    weighed.missed = [all, most, rate](double size) { return all * std::min(most, rate * size); };
-  } else {
-    weighed.missed = [all, most, rate](double size) { return all * std::min(most, 0.5 * rate * rate * size * size); };
-  }
+  const double tolerated = around.illuminance_lux * options.tolerance;
+  const double most = by_source(scene, sources, line) * coverable(scene, sources, line);
+  const double jump = estimated_jump(scene, sources, line);
+  weighed.missed = [order = line.order, most, jump, tolerated](double size) {
+    if (tolerated <= 0.0) return 0.0;
+    const double missed = order == 0 ? jump : order == 1 ? jump * size : 0.5 * jump * size * size;
+    return std::min(most, missed) / tolerated;
+  };
   return weighed;
 }
 
@@ -232,6 +228,11 @@ ShadowSources shadow_sources(const Scene& scene, std::size_t most) {
     result.exitance_lm_m2.push_back(candidate.exitance);
   }
   return result;
+}
+
+double estimated_jump(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line) {
+  if (line.order == 0) return by_source(scene, sources, line);
+  return sources.exitance_lm_m2[line.source] / std::numbers::pi * line.uncovering;
 }
 
 SceneLines find_discontinuities(const Scene& scene, const LineOptions& options) {

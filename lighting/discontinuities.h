@@ -55,9 +55,11 @@ struct LineOptions {
 
 /// Finds the lines of all sources and keeps those across which an interpolation would miss more than the tolerance: for a line of order k,
 /// |jump of the k-th derivative| · h^k / k! against tolerance × local illuminance, h the size of the elements there without the line. The
-/// jump is estimated from the source's unoccluded illuminance at the middle of the line, from how fast the occluder uncovers the source,
-/// and from how much of it the occluder can cover.
+/// jump is that in the middle of the line, and no more is missed than the occluder can cover of the source.
 SceneLines find_discontinuities(const Scene& scene, const LineOptions& options);
+
+/// The jump that a line's source makes across it, of the derivative of its order k, estimated at the middle of the line [lux/m^k].
+double estimated_jump(const Scene& scene, const ShadowSources& sources, const mesh::DiscontinuityLine& line);
 
 /// The lines kept, as they are written.
 ElementLines element_lines(const Scene& scene, const SceneLines& found);

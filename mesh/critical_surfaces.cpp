@@ -124,16 +124,15 @@ class WedgeMaker {
   void polygon_vertices() {
     for (const std::vector<Point>& loop : source_.outline) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vector before = normalized(loop[i] - loop[(i + loop.size() - 1) % loop.size()]);
-        const Vector after = normalized(loop[(i + 1) % loop.size()] - loop[i]);
+        const std::array<Point, 2> neighbours{loop[(i + loop.size() - 1) % loop.size()], loop[(i + 1) % loop.size()]};
         for (const OccluderEdge& e : occluders_.edges()) {
-          if (is_lit(e)) source_vertex(loop[i], {before, after}, e);
+          if (is_lit(e)) source_vertex(loop[i], neighbours, e);
         }
       }
     }
   }
 
-  void source_vertex(const Point& vertex, const std::array<Vector, 2>& source_edges, const OccluderEdge& e) {
+  void source_vertex(const Point& vertex, const std::array<Point, 2>& neighbours, const OccluderEdge& e) {
     const std::optional<Ends> part = lit_part(occluders_.ends(e));
     if (!part) return;
     Wedge wedge;
@@ -142,8 +141,12 @@ class WedgeMaker {
     const auto free = occluders_.free_side(e, line_between(vertex, *part));
     if (!free) return;
     wedge.free_side = *free;
-    const bool coplanar = lies_in(source_edges[0], wedge.free_side) || lies_in(source_edges[1], wedge.free_side);
-    wedge.order = coplanar ? 1 : 2;
+    for (std::size_t k = 0; k < 2; ++k) {
+      wedge.corner[k] = normalized(neighbours[k] - vertex);
+      if (!lies_in(wedge.corner[k], wedge.free_side)) continue;
+      wedge.order = 1;
+      wedge.along = {vertex, neighbours[k]};
+    }
     wedge.occluder = occluders_.sheets(e)[0].face;
     give(wedge);
   }
@@ -176,9 +179,10 @@ class WedgeMaker {
     const Vector normal = plane_normal(p, edge);
     if (norm(normal) == 0.0) return;
     double beside = 0.0;
-    bool silhouette = false;
+    std::size_t silhouettes = 0;
     for (const std::uint32_t i : occluders_.edges_at(vertex)) {
       const OccluderEdge& e = occluders_.edges()[i];
+      bool silhouette = false;
       for (const Point& from : {edge[0], midpoint(edge[0], edge[1]), edge[1]}) {
         const auto free = occluders_.free_side(e, p - from);
         if (!free) continue;
@@ -187,11 +191,13 @@ class WedgeMaker {
         wedge.occluder = occluders_.sheets(e)[0].face;
         if (lies_in(e.direction, normal)) {
           wedge.order = 1;
+          wedge.along = occluders_.ends(e);
           wedge.no_sky = wedge.no_sky || (wedge.sky_behind && is_no_sky(e, edge, *free));
         }
       }
+      if (silhouette) wedge.corner[std::min<std::size_t>(silhouettes++, 1)] = e.direction;
     }
-    if (!silhouette) return;
+    if (silhouettes == 0) return;
     if (outdoors_free) beside = dot(*outdoors_free, normal);
     wedge.free_side = beside < 0.0 ? -normal : normal;
     give(wedge);
@@ -262,16 +268,17 @@ class WedgeMaker {
     const auto free = occluders_.free_side(e, line);
     if (!free) return;
     wedge.free_side = *free;
-    bool silhouette = false;
+    std::size_t silhouettes = 0;
     for (const std::uint32_t i : occluders_.edges_at(vertex)) {
       const OccluderEdge& outdoors = occluders_.edges()[i];
       if (!occluders_.free_side(outdoors, -line)) continue;
-      silhouette = true;
+      wedge.corner[std::min<std::size_t>(silhouettes++, 1)] = outdoors.direction;
       if (!lies_in(outdoors.direction, wedge.free_side)) continue;
       wedge.order = 1;
+      wedge.along = occluders_.ends(outdoors);
       wedge.no_sky = wedge.no_sky || (!at_opening && is_no_sky(e, occluders_.ends(outdoors), wedge.free_side));
     }
-    if (!silhouette) return;
+    if (silhouettes == 0) return;
     wedge.occluder = occluders_.sheets(e)[0].face;
     give(wedge);
   }

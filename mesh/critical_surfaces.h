@@ -37,8 +37,12 @@ struct Wedge {
   std::uint32_t pivot_vertex = kNone;  ///< of Occluders, where the pivot is one of them
   bool sky_behind = false;             ///< the source is the sky beyond what the lines touch first: they must reach it
   std::uint8_t order = 2;              ///< of the derivative of the illuminance that jumps
-  bool no_sky = false;                 ///< of the pair of a window's head and a roof line outdoors
-  FaceId occluder;                     ///< a face at the edge or vertex that casts the shadow
+  /// What comes out from behind the edge, or ends behind it, at the pivot: for order 1 the edge that lies in the plane with it, for order 2 the
+  /// directions of the two edges that meet there.
+  std::array<Point, 2> along{};
+  std::array<Vector, 2> corner{};
+  bool no_sky = false;  ///< of the pair of a window's head and a roof line outdoors
+  FaceId occluder;      ///< a face at the edge or vertex that casts the shadow
 };
 
 /// Which critical surfaces are wanted.

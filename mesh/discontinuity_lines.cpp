@@ -7,6 +7,7 @@
 #include "mesh/critical_trace.h"
 #include "mesh/seen_edges.h"
 #include "mesh/silhouettes.h"
+#include "mesh/uncovering.h"
 
 namespace clerestory::mesh {
 
@@ -20,7 +21,7 @@ double source_distance(const Wedge& wedge, const TracedPiece& piece) {
   return norm(midpoint(wedge.edge[0], wedge.edge[1]) - touch);
 }
 
-DiscontinuityLine line_of(const Wedge& wedge, const TracedPiece& piece, std::uint32_t source) {
+DiscontinuityLine line_of(const Wedge& wedge, const TracedPiece& piece, std::uint32_t source, const Faces& faces) {
   DiscontinuityLine line;
   line.face = piece.face;
   line.side = piece.side;
@@ -31,19 +32,23 @@ DiscontinuityLine line_of(const Wedge& wedge, const TracedPiece& piece, std::uin
   line.occluder = wedge.occluder;
   line.source_distance_m = source_distance(wedge, piece);
   line.receiver_distance_m = norm(midpoint(piece.far[0], piece.far[1]) - midpoint(piece.near[0], piece.near[1]));
+  const Sight sight{midpoint(piece.far[0], piece.far[1]), midpoint(piece.near[0], piece.near[1]),
+                    line.source_distance_m};
+  line.uncovering = uncovering(wedge, sight, faces.faces[piece.face.index()].frame.w);
   return line;
 }
 
 }  // namespace
 
 struct DiscontinuityFinder::Data {
-  Data(const Faces& faces, const DiscontinuityOptions& asked)
-      : options(asked), occluders(faces, asked.passable), tracer(faces, asked.passable, occluders) {}
+  Data(const Faces& of, const DiscontinuityOptions& asked)
+      : faces(of), options(asked), occluders(of, asked.passable), tracer(of, asked.passable, occluders) {}
 
   [[nodiscard]] bool wanted(FaceSide side) const {
     return options.receives.empty() || options.receives[side.index()] != 0;
   }
 
+  const Faces& faces;
   DiscontinuityOptions options;
   Occluders occluders;
   WedgeTracer tracer;
@@ -65,7 +70,7 @@ FoundLines DiscontinuityFinder::find(const ShadowSource& source, std::uint32_t n
     data_->tracer.trace(wedge, pieces);
     for (const TracedPiece& p : pieces) {
       if (!data_->wanted({p.face, p.side})) continue;
-      found.lines.push_back(line_of(wedge, p, number));
+      found.lines.push_back(line_of(wedge, p, number, data_->faces));
       if (wedge.no_sky) found.no_sky.push_back({p.near[0], p.near[1], p.far[1], p.far[0]});
     }
   };

@@ -31,6 +31,9 @@ struct DiscontinuityLine {
   /// the sky beyond what stands outdoors; and from there to the face [m].
   double source_distance_m = 0.0;
   double receiver_distance_m = 0.0;
+  /// How fast the source comes out there, where the order is 1 or 2: the jump across the line of the derivative of that order of the projected
+  /// solid angle that is seen of it [sr/m^order]. Times the luminance it is the jump of the illuminance's derivative.
+  double uncovering = 0.0;
 };
 
 /// A plane part of the space between a window's head and what is behind it, above which there is no sky: corners in turn [m].

@@ -4,13 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/blocked_lamp.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
 namespace {
+
+using mesh::Point;
+using mesh::Vector;
 
 /// A room with a lamp of 1 m × 0.5 m under the ceiling, a smaller and darker one beside it, and a shelf below them.
 Study lamp_room() {
@@ -97,6 +105,86 @@ TEST(Discontinuities, ThinOccludersMatterLess) {
   };
   EXPECT_EQ(kept(study.model), 0U);
   EXPECT_GT(kept(with_shelf), 0U);
+}
+
+/// A lamp over a black floor and what stands between, as a study.
+Study study_of(const support::BlockedLamp& lamp) {
+  mesh::Model model;
+  support::add_quad(model, {-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}, {"floor", "floor"});
+  support::add_polygon(model, lamp.lamp, {"lamp", "lamp"});
+  for (const auto& blocker : lamp.blockers) support::add_polygon(model, blocker, {"blocker", "blocker"});
+  Study study = test::study_of(std::move(model), 0.0, {3, 3, 0.1});
+  test::shine(test::material(study, "lamp"), lamp.exitance_lm_m2);
+  return study;
+}
+
+/// The jump of the derivative of order 1 or 2 across a line in its middle, by differences of exact light on both sides [lux/m^k].
+double exact_jump(const support::BlockedLamp& lamp, const Point& middle, const Vector& across, int order, double step) {
+  const auto side = [&](double sign) {
+    std::array<double, 4> e{};
+    for (std::size_t i = 0; i < 4; ++i)
+      e[i] = exact_illuminance(lamp, middle + sign * static_cast<double>(i) * step * across, {0, 0, 1});
+    return order == 1 ? sign * (-1.5 * e[0] + 2.0 * e[1] - 0.5 * e[2]) / step
+                      : (2.0 * e[0] - 5.0 * e[1] + 4.0 * e[2] - e[3]) / (step * step);
+  };
+  return std::abs(side(1.0) - side(-1.0));
+}
+
+/// A level rectangle of half sides a and b about the z axis, turned about it, and tilted about y.
+std::vector<Point> rectangle(double a, double b, double height, double turn_rad = 0.0, double slope = 0.0) {
+  std::vector<Point> corners;
+  for (const auto& [u, v] : {std::pair(-a, -b), std::pair(-a, b), std::pair(a, b), std::pair(a, -b)}) {
+    const double x = u * std::cos(turn_rad) - v * std::sin(turn_rad);
+    corners.push_back({x, u * std::sin(turn_rad) + v * std::cos(turn_rad), height + slope * x});
+  }
+  return corners;
+}
+
+/// Compares the estimate with exact light on all lines of a floor; returns how many there are.
+std::size_t compare_jumps(const support::BlockedLamp& lamp) {
+  constexpr double kStep_m = 1e-3;
+  const Scene scene = build_scene(study_of(lamp));
+  const SceneLines found = lines_at(scene, 1e-9);
+  std::size_t count = 0;
+  for (const mesh::DiscontinuityLine& line : found.lines) {
+    const mesh::Face& face = scene.faces.faces[line.face.index()];
+    if (scene.faces.material_names[face.material.index()] != "floor") continue;
+    ++count;
+    const Point middle = midpoint(line.ends[0], line.ends[1]) + scene.faces.origin;
+    const Vector across = cross(Vector{0, 0, 1}, normalized(line.ends[1] - line.ends[0]));
+    const double exact = exact_jump(lamp, middle, across, line.order, kStep_m);
+    const double ratio = estimated_jump(scene, found.sources, line) / exact;
+    EXPECT_GT(ratio, 0.85) << "order " << int{line.order} << " at " << middle.x << " " << middle.y;
+    EXPECT_LT(ratio, 1.15) << "order " << int{line.order} << " at " << middle.x << " " << middle.y;
+  }
+  return count;
+}
+
+TEST(Discontinuities, EstimatedJumpsOfSlopesAreThoseOfExactLight) {
+  for (const auto& [a, b] : {std::pair(0.6, 0.3), std::pair(0.75, 0.03)})  // a strip as well
+    EXPECT_GT(compare_jumps({rectangle(a, b, 3.0), 1000.0, {rectangle(0.5, 0.4, 1.5)}}), 12U);
+  EXPECT_GT(compare_jumps({rectangle(0.6, 0.15, 2.7), 1000.0, {rectangle(0.7, 0.4, 0.75)}}), 12U);
+}
+
+TEST(Discontinuities, EstimatedJumpsOfCurvatureAreThoseOfExactLight) {
+  for (const double turn_rad : {0.05, 0.4, 0.7})  // almost along the lamp as well
+    EXPECT_EQ(compare_jumps({rectangle(0.6, 0.3, 3.0), 1000.0, {rectangle(0.5, 0.4, 1.5, turn_rad)}}), 32U);
+  EXPECT_EQ(compare_jumps({rectangle(0.75, 0.03, 3.0), 1000.0, {rectangle(0.5, 0.4, 1.5, 0.4, 0.2)}}), 32U);
+}
+
+TEST(Discontinuities, EstimatedJumpsOfLightAreThoseOfExactLight) {
+  Study study = study_of({rectangle(0.6, 0.3, 3.0), 0.0, {rectangle(0.5, 0.4, 1.5)}});
+  for (Material& m : study.materials) m.front.emission.reset();
+  study.point_sources.push_back({{0.1, 0.2, 2.8}, {0, 0, -1}, 100.0, false});
+  const Scene scene = build_scene(study);
+  const SceneLines found = lines_at(scene, 1e-9);
+  EXPECT_GT(found.lines.size(), 3U);
+  for (const mesh::DiscontinuityLine& line : found.lines) {
+    const Vector to = study.point_sources[0].at - (midpoint(line.ends[0], line.ends[1]) + scene.faces.origin);
+    const double lux = 100.0 * to.z / std::pow(norm(to), 3);
+    if (lux <= 0.0) continue;  // on the back of the lamp
+    EXPECT_NEAR(estimated_jump(scene, found.sources, line), lux, 1e-6 * lux);
+  }
 }
 
 TEST(Discontinuities, NothingThatShinesGivesNoLines) {
