@@ -32,8 +32,10 @@ constexpr double kConverged = 1e-6;
 constexpr double kNearlyConverged = 1e-3;
 /// Shares of the time of linking at which the passes end, measured on the validation scenes.
 constexpr std::array<double, kPasses.size()> kEndOfPass{0.3, 0.5, 0.9};
+constexpr double kEndOfMirrors = 0.94;
+constexpr double kEndOfClosing = 0.98;
 /// Pairs between two signs of life.
-constexpr std::size_t kBatch = 1U << 16U;
+constexpr std::size_t kBatch = 1U << 13U;
 /// Error of a proven link's factor that parts of its ends may share.
 constexpr double kMissed = 0.004;
 /// What a node sees by rays: what most surfaces receive, in terms of the mean at the sensors, and how far single rays differ from it.
@@ -72,9 +74,12 @@ class Solver {
       iterate();
       if (last) break;
     }
+    progress_.advance(kEndOfPass.back());
     see_mirrors();
+    progress_.advance(kEndOfMirrors);
     close_hemispheres(solution_, arrivals_);
     iterate();
+    progress_.advance(kEndOfClosing);
     add_errors();
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
@@ -92,7 +97,11 @@ class Solver {
   std::vector<LinkCandidate> begin() {
     const auto roots = solution_.tree().roots();
     std::vector<HemisphereView> views(roots.size());
-    if (!clusters_.are_few()) parallel_for(roots.size(), [&](std::size_t i) { views[i] = look(roots[i]); });
+    for (std::size_t first = 0; first < roots.size() && !clusters_.are_few(); first += kBatch) {
+      parallel_for(std::min(kBatch, roots.size() - first),
+                   [&](std::size_t k) { views[first + k] = look(roots[first + k]); });
+      progress_.advance(0.0);
+    }
     std::vector<LinkCandidate> start;
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const bool looks = views[i].rays > 0;
@@ -174,7 +183,7 @@ class Solver {
       for (const LinkCandidate& c : candidates) (c.source.is_cluster() ? clusters : elements).push_back(c);
       candidates = refine_once(linker, clusters, elements.size(), progress);
     }
-    elements = join(linker, elements);
+    elements = join(linker, elements, progress);
     while (!elements.empty()) elements = refine_once(linker, elements, 0, progress);
   }
 
@@ -211,7 +220,8 @@ class Solver {
 
   /// Pairs of which both ways are asked for become mutual where they are proven to see each other. Panes stay apart: links to them are
   /// followed to what they mirror.
-  [[nodiscard]] std::vector<LinkCandidate> join(const Linker& linker, const std::vector<LinkCandidate>& pairs) const {
+  [[nodiscard]] std::vector<LinkCandidate> join(const Linker& linker, const std::vector<LinkCandidate>& pairs,
+                                                PassProgress& progress) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
     std::vector<std::size_t> other(pairs.size(), pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -225,9 +235,13 @@ class Solver {
       }
     }
     std::vector<Visibility> proven(pairs.size(), Visibility::kPartial);
-    parallel_for(pairs.size(), [&](std::size_t i) {
-      if (other[i] < pairs.size()) proven[i] = linker.prove(pairs[i].receiver, pairs[i].source.element());
-    });
+    for (std::size_t first = 0; first < pairs.size(); first += kBatch) {
+      parallel_for(std::min(kBatch, pairs.size() - first), [&](std::size_t k) {
+        const std::size_t i = first + k;
+        if (other[i] < pairs.size()) proven[i] = linker.prove(pairs[i].receiver, pairs[i].source.element());
+      });
+      progress.tell(progress_, 0, pairs.size());
+    }
     std::vector<std::uint8_t> joined(pairs.size(), 0);
     std::vector<LinkCandidate> result;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
