@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "lighting/energy_balance.h"
+#include "lighting/stored_solution.h"
 #include "mesh/clean.h"
 #include "mesh/discontinuity_selection.h"
 #include "mesh/faces.h"
@@ -84,18 +86,6 @@ struct SurfaceResult {
   std::vector<std::string> room_names;
 };
 
-/// Fluxes of the energy balance [lm]: emitted + from sky = absorbed + left, but for `residual`.
-struct EnergyBalance {
-  double emitted_lm = 0.0;   ///< by surfaces
-  double received_lm = 0.0;  ///< on surfaces directly from the sky and point sources
-  double absorbed_lm = 0.0;
-  double left_lm = 0.0;   ///< of what surfaces send out, leaves the model or is absorbed in glass; measured by rays
-  double residual = 0.0;  ///< (emitted + received - absorbed - left) / (emitted + received)
-  double reciprocity =
-      0.0;               ///< sum of |A_r F_rs - A_s F_sr| over pairs linked both ways, as a share of what they exchange
-  double closure = 0.0;  ///< flux-weighted mean sum of form factors, less the share of rays that land on surfaces
-};
-
 /// Why a run has ended before its accuracy was reached, and where.
 struct Stop {
   enum class By { kTime, kMemory, kUser };
@@ -139,6 +129,7 @@ struct Results {
   std::optional<ShadowLines> shadow_lines;  ///< where they were asked for
   std::vector<mesh::Room> rooms;            ///< boxes and openings in model coordinates
   EnergyBalance energy;
+  std::optional<StoredSolution> solution;  ///< where it is to be kept
   mesh::CleanReport clean;
   struct Counts {
     std::size_t parts = 0, polygons = 0, faces = 0, elements = 0, links = 0, rays = 0, openings = 0, iterations = 0;

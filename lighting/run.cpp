@@ -194,6 +194,17 @@ void show_surfaces(const Study& study, const Solution& solution, const SolutionE
   results.surfaces = surface_values(solution, errors);
 }
 
+/// One element a region of a face side, and no light yet.
+Solution unsolved(const Scene& scene, Progress& progress) {
+  mesh::MeshOptions options;
+  options.max_size_m = kStartSizeM;
+  const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
+  progress.advance(kShareOfStartMesh);
+  Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
+  progress.advance(1.0);
+  return solution;
+}
+
 void conclude(const Study& study, const Scene& scene, const LimitedProgress& progress, Results& results) {
   results.rooms = rooms_in_model(scene);
   results.clean = scene.clean_report;
@@ -218,6 +229,17 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
                                 "': no light reaches it, every value is zero; where light should " +
                                 "come in, name a glazing material or mark an opening");
   }
+}
+
+/// What did not converge is of no use to others.
+void keep(const Solution& solution, const Transport& transport, double accuracy, Results& results) {
+  if (!results.converged) {
+    results.notices.emplace_back("the solution is not kept: it did not converge");
+    return;
+  }
+  results.solution = store(solution, transport.errors, accuracy);
+  results.solution->energy = results.energy;
+  results.solution->links = transport.links.size();
 }
 
 ThreadLimit& thread_limit() {
@@ -245,12 +267,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   const AllSensors sensors = place_all(study, scene, results, progress);
 
   clock.begin("meshing", progress);
-  mesh::MeshOptions mesh_options;
-  mesh_options.max_size_m = kStartSizeM;
-  const mesh::Triangulation start = mesh::mesh_faces(scene.faces, mesh_options);
-  progress.advance(kShareOfStartMesh);
-  Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
-  progress.advance(1.0);
+  Solution solution = unsolved(scene, progress);
 
   clock.begin("direct light", progress);
   progress.enter(Stage::kDirectLight);
@@ -278,6 +295,32 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
 
   clock.begin("shadows", progress);
   show_surfaces(study, solution, transport.errors, given, importance.mean_lux(), results, progress);
+  conclude(study, scene, progress, results);
+  if (study.keep_solution) keep(solution, transport, target, results);
+  clock.end();
+  return results;
+}
+
+Results sense(const Study& study, const StoredSolution& stored, Progress& watched, const Limits& limits) {
+  Results results;
+  Clock clock(results.phases);
+  LimitedProgress progress(watched, limits);
+  clock.begin("cleaning the model", progress);
+  Scene scene = build_scene(study, &progress);
+
+  clock.begin("placing sensors", progress);
+  place_all(study, scene, results, progress);
+
+  clock.begin("meshing", progress);
+  Solution solution = unsolved(scene, progress);
+  const SolutionErrors errors = restore(stored, solution);
+  results.energy = stored.energy;
+  results.counts.elements = solution.elements().size();
+  results.counts.links = stored.links;
+
+  clock.begin("gathering", progress);
+  progress.enter(LimitedProgress::Stage::kGathering);
+  evaluate_all(study, solution, errors, results.grids, mesh::mix(study.accuracy.seed), progress);
   conclude(study, scene, progress, results);
   clock.end();
   return results;

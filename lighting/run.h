@@ -15,6 +15,11 @@ namespace clerestory::lighting {
 /// LimitReached, Interrupted, and MachineError for the machine's memory.
 Results run(const Study& study, Progress& progress, const Limits& limits = {});
 
+/// Answers the grids of a study from a solution that was stored, without solving: the study may differ in its grids alone, and in the
+/// accuracy that they are asked for. The surfaces of the results are empty. Grids that the solved study had as well, in the same place of
+/// the list, come out the same to the bit. Throws as run(), and InputError where the solution is of another study.
+Results sense(const Study& study, const StoredSolution& stored, Progress& progress, const Limits& limits = {});
+
 /// Sets how many threads all of the program uses; 0 takes every core. Call before run().
 void set_threads(int threads);
 

@@ -78,6 +78,10 @@ class Solution {
   [[nodiscard]] std::span<const LinearValue> irradiance(mesh::ElementId e) const {
     return std::span(irradiance_).subspan(e.index() * channels(), channels());
   }
+  /// Gives an element what another solution of the same tree has; for its light alone, nothing is handed on.
+  void set_irradiance(mesh::ElementId e, std::span<const LinearValue> values) {
+    std::copy(values.begin(), values.end(), irradiance_.begin() + static_cast<std::ptrdiff_t>(e.index() * channels()));
+  }
   /// Scales what an element exchanges by links, both ways, so that its form factors add up to what they must; linear over the element,
   /// 1 at first. Takes effect with the next push_pull().
   void close(mesh::ElementId e, const LinearValue& scale) { closing_[e.index()] = scale; }

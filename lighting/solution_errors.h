@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lighting/arrivals.h"
@@ -27,6 +28,14 @@ class SolutionErrors {
   SolutionErrors(const Solution& solution, const Arrivals& arrivals, const Clusters& clusters, double missing,
                  std::uint64_t seed);
 
+  /// The same, known already.
+  /// @param irradiance  [nodes] of elements [lux]
+  SolutionErrors(std::vector<Samples> irradiance, std::uint64_t seed)
+      : seed_(seed), irradiance_(std::move(irradiance)) {}
+
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  /// Errors of what an element receives, on the mean over it [lux].
+  [[nodiscard]] const Samples& irradiance(mesh::ElementId e) const { return irradiance_[e.index()]; }
   /// Errors of the reflected radiosity at a point of an element [lm/m²].
   [[nodiscard]] Samples radiosity(const Solution& solution, mesh::ElementId e, const mesh::Point& at) const;
   /// Standard error of what an element receives, on the mean over it and at a point of it [lux].

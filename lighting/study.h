@@ -69,6 +69,7 @@ struct Study {
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;
   MeshRequest mesh;
+  bool keep_solution = false;  ///< for sense()
   std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each
 };
 

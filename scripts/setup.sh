@@ -19,6 +19,7 @@ packages=(
   libfmt-dev
   libgmock-dev
   libgtest-dev
+  libhdf5-dev
   libifcplusplus-dev
   libosd-dev
   libtbb-dev

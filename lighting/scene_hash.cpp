@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/scene_hash.h"
+
+#include <bit>
+#include <concepts>
+
+#include "lighting/scene.h"
+#include "mesh/hash.h"
+
+namespace clerestory::lighting {
+
+namespace {
+
+class Digest {
+ public:
+  template <std::integral T>
+  void add(T value) {
+    state_ = mesh::hash(state_, static_cast<std::uint64_t>(value));
+  }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+  void add(const mesh::Point& p) {
+    add(p.x);
+    add(p.y);
+    add(p.z);
+  }
+  void add(const mesh::Vector& v) { add(mesh::Point{} + v); }
+  template <class Range>
+  void add_all(const Range& values) {
+    add(values.size());
+    for (const auto& value : values) add(value);
+  }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+std::uint64_t hash_of_model(const Scene& scene) {
+  Digest digest;
+  const mesh::Faces& faces = scene.faces;
+  digest.add(faces.origin);
+  digest.add_all(faces.shape.vertices);
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    const auto triangles = faces.shape.of(mesh::FaceId(f));
+    digest.add(triangles.size());
+    for (const mesh::Triangle& t : triangles) {
+      digest.add_all(t.vertices);
+      digest.add(t.region);
+    }
+    digest.add(faces.faces[f].part.value);
+  }
+  digest.add_all(scene.has_elements);
+  return digest.value();
+}
+
+std::uint64_t hash_of_materials(const Scene& scene) {
+  Digest digest;
+  digest.add(scene.channels);
+  digest.add_all(scene.channel_weights);
+  digest.add_all(scene.reflectance);
+  digest.add_all(scene.passable);
+  digest.add_all(scene.glazing_of);
+  digest.add_all(scene.opening_of);
+  for (const GlazingCurves& g : scene.glazings) {
+    digest.add_all(g.transmittance);
+    digest.add_all(g.reflectance);
+  }
+  return digest.value();
+}
+
+std::uint64_t hash_of_sources(const Scene& scene) {
+  Digest digest;
+  digest.add_all(scene.exitance);
+  digest.add(static_cast<int>(scene.sky.type));
+  digest.add(scene.sky.horizontal_illuminance_lux);
+  digest.add(scene.sky.ground_reflectance);
+  for (const PointSource& source : scene.point_sources) {
+    digest.add(source.at);
+    digest.add(source.aim);
+    digest.add(source.intensity_cd);
+    digest.add(source.lambertian);
+  }
+  return digest.value();
+}
+
+}  // namespace
+
+SceneHash hash_of(const Scene& scene) {
+  return {hash_of_model(scene), hash_of_materials(scene), hash_of_sources(scene)};
+}
+
+}  // namespace clerestory::lighting

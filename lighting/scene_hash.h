@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace clerestory::lighting {
+
+struct Scene;
+
+/// What a solution stands on, hashed by kind, so that one can say what has changed. Of one machine type and one version of the program.
+struct SceneHash {
+  std::uint64_t model = 0;      ///< faces as cleaned, with their contacts and parts
+  std::uint64_t materials = 0;  ///< reflectances, glazing and openings of all faces
+  std::uint64_t sources = 0;    ///< sky, surfaces that shine, point sources
+
+  bool operator==(const SceneHash&) const = default;
+};
+
+SceneHash hash_of(const Scene& scene);
+
+}  // namespace clerestory::lighting
