@@ -128,7 +128,7 @@ class Writer {
                      H5Dclose);
     expect(H5Dwrite(set, TypeOf<Value>::native(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()));
   }
-  /// The file's bytes, with room for the preface.
+  /// The file's bytes from behind the preface.
   std::string bytes() {
     expect(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
@@ -291,10 +291,8 @@ void write_solution(const std::filesystem::path& file, const SolutionFile& solut
   writer.text("set", joined(solution.set));
   visit_numbers(solution.solution, [&](const char* name, const auto& value) { writer.number(name, value); });
   visit_tables(solution.solution, [&](const char* name, const auto& rows) { writer.table(name, rows); });
-  std::string bytes = writer.bytes();
-  const std::string head = preface(std::string_view(bytes).substr(kPreface));
-  std::copy(head.begin(), head.end(), bytes.begin());
-  write_whole_file(file, bytes);
+  const std::string body = writer.bytes();
+  write_whole_file(file, preface(body) + body);
 }
 
 SolutionFile read_solution(const std::filesystem::path& file) {

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/stored_solution.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "lighting/run.h"
+#include "mesh/error.h"
+#include "tests/lighting/stages.h"
+#include "tests/support/shapes.h"
+
+namespace clerestory::lighting {
+namespace {
+
+using testing::HasSubstr;
+
+/// A room with a table, a lamp and a glass roof below an overcast sky, and three sensors.
+Study room_study() {
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_table(model, {1.2, 1.6, 0.0});
+  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
+  Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
+  test::shine(test::material(study, "lamp"), 1000.0);
+  study.sky.type = Sky::Type::kCieOvercast;
+  test::glaze(test::material(study, "ceiling"));
+  for (const mesh::Point& p : {mesh::Point{3, 3, 0.8}, mesh::Point{1.5, 1.8, 0.3}}) {
+    study.grids[0].points.push_back(p);
+    study.grids[0].normals.push_back({0, 0, 1});
+  }
+  study.accuracy.target = 0.05;
+  study.keep_solution = true;
+  return study;
+}
+
+Results answer(const Study& study) {
+  NoProgress nobody;
+  return run(study, nobody);
+}
+
+Results again(const Study& study, const StoredSolution& stored) {
+  NoProgress nobody;
+  return sense(study, stored, nobody);
+}
+
+TEST(StoredSolution, AnswersTheSameGridsToTheBit) {
+  const Study study = room_study();
+  const Results solved = answer(study);
+  ASSERT_TRUE(solved.solution);
+  const Results sensed = again(study, *solved.solution);
+  EXPECT_EQ(sensed.grids.at(0).illuminance_lux, solved.grids.at(0).illuminance_lux);
+  EXPECT_EQ(sensed.grids.at(0).error_lux, solved.grids.at(0).error_lux);
+  EXPECT_EQ(sensed.counts.elements, solved.counts.elements);
+  EXPECT_EQ(sensed.counts.links, solved.counts.links);
+  EXPECT_EQ(sensed.energy.absorbed_lm, solved.energy.absorbed_lm);
+}
+
+TEST(StoredSolution, AnswersOtherGridsAsAFreshRunWithinTheErrors) {
+  Study study = room_study();
+  const Results solved = answer(study);
+  GridRequest& grid = study.grids.at(0);
+  grid.name = "faces";
+  grid.points = {{0.5, 3.0, 1.2}, {2.0, 0.4, 1.6}, {3.5, 2.0, 1.2}};
+  grid.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  const Results sensed = again(study, *solved.solution);
+  const Results fresh = answer(study);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double error = std::hypot(sensed.grids[0].error_lux[i], fresh.grids[0].error_lux[i]);
+    EXPECT_NEAR(sensed.grids[0].illuminance_lux[i], fresh.grids[0].illuminance_lux[i], 3.0 * error);
+    EXPECT_GT(sensed.grids[0].illuminance_lux[i], 0.0F);
+  }
+}
+
+TEST(StoredSolution, IsKeptOnlyWhereAskedFor) {
+  Study study = room_study();
+  study.keep_solution = false;
+  EXPECT_FALSE(answer(study).solution);
+}
+
+/// What sense() says of a stored solution and a study that do not fit.
+std::string refusal(const Study& study, const StoredSolution& stored) {
+  try {
+    again(study, stored);
+  } catch (const InputError& error) {
+    return error.problem();
+  }
+  return "no error";
+}
+
+TEST(StoredSolution, OfAnotherStudyIsRefusedWithWhatHasChanged) {
+  const Study study = room_study();
+  const Results solved = answer(study);
+  Study moved = study;
+  for (mesh::Point& p : moved.model.vertices) p.x += p.x > 1.9 ? 0.01 : 0.0;
+  EXPECT_THAT(refusal(moved, *solved.solution), HasSubstr("the model has changed"));
+  Study darker = study;
+  test::material(darker, "floor").front.reflectance = {0.4F};
+  EXPECT_THAT(refusal(darker, *solved.solution), HasSubstr("materials have changed"));
+  Study brighter = study;
+  brighter.sky.horizontal_illuminance_lux *= 2.0;
+  EXPECT_THAT(refusal(brighter, *solved.solution), HasSubstr("the sky or the lamps have changed"));
+  Study lamp = study;
+  test::shine(test::material(lamp, "lamp"), 999.0);
+  EXPECT_THAT(refusal(lamp, *solved.solution), HasSubstr("the sky or the lamps have changed"));
+}
+
+TEST(StoredSolution, ThatIsDamagedIsRefused) {
+  const Study study = room_study();
+  const StoredSolution whole = *answer(study).solution;
+  const auto damaged = [&](auto damage) {
+    StoredSolution stored = whole;
+    damage(stored);
+    return refusal(study, stored);
+  };
+  for (const std::string& said :
+       {damaged([](StoredSolution& s) { s.divided.front() = 0xFFFFFFF0; }),
+        damaged([](StoredSolution& s) { s.divided.pop_back(); }),
+        damaged([](StoredSolution& s) { s.divided.push_back(s.divided.front()); }),
+        damaged([](StoredSolution& s) { s.open.push_back(s.elements.back()); }),
+        damaged([](StoredSolution& s) { s.elements.pop_back(); }),
+        damaged([](StoredSolution& s) { s.irradiance.pop_back(); }),
+        damaged([](StoredSolution& s) { s.errors[3][2] = std::numeric_limits<float>::infinity(); }),
+        damaged([](StoredSolution& s) { s.irradiance[5][1] = std::numeric_limits<float>::quiet_NaN(); })}) {
+    EXPECT_THAT(said, HasSubstr("damaged"));
+  }
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
