@@ -6,6 +6,7 @@
 #include "io/csv.h"
 #include "io/map.h"
 #include "io/result_folder.h"
+#include "io/solution_file.h"
 #include "io/stopwatch.h"
 #include "io/vtk_files.h"
 #include "io/whole_file.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kSurfaces = "surfaces.vtp";
 constexpr const char* kLines = "discontinuities.vtp";
+constexpr const char* kSolution = "solution.h5";
 constexpr const char* kLeaks = "leaks.vtp";
 constexpr const char* kCollection = "result.vtm";
 
@@ -62,9 +64,13 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
     write_grid(output, results, grid, context);
     progress.advance(++step / steps);
   }
-  write_surfaces_vtp(output.add(kSurfaces), results, context);
+  if (!results.surfaces.cells.empty()) {
+    write_surfaces_vtp(output.add(kSurfaces), results, context);
+    output.collection.push_back({"surfaces", kSurfaces});
+  }
+  if (results.solution)
+    write_solution(output.add(kSolution), {context.study_file, context.kind, context.set, *results.solution});
   progress.advance(++step / steps);
-  output.collection.push_back({"surfaces", kSurfaces});
   if (results.shadow_lines) {
     write_discontinuities_vtp(output.add(kLines), results.shadow_lines->lines, context);
     output.collection.push_back({"discontinuities", kLines});
@@ -81,6 +87,7 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
 std::vector<std::string> result_names(const lighting::Study& study, const std::filesystem::path& file) {
   std::vector<std::string> names = {kSummary, kSurfaces, kCollection};
   if (study.mesh.discontinuities) names.emplace_back(kLines);
+  if (study.keep_solution) names.emplace_back(kSolution);
   for (const lighting::GridRequest& grid : study.grids) {
     if (grid.by_room) continue;  // named after rooms that are not known yet
     expect_usable_as_file_name(grid.name, file);

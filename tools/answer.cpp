@@ -53,14 +53,14 @@ lighting::Limits limits_of(const Options& options) {
 }
 
 /// Runs and writes. What goes wrong by nobody's wish is told in the folder before it is told to the user.
-Answer run_and_write(const lighting::Study& study, const io::ResultContext& context, io::RunFigures figures,
+Answer run_and_write(const Question& question, const io::ResultContext& context, io::RunFigures figures,
                      const Options& options, const lighting::Limits& limits) {
   TerminalProgress progress(!options.quiet && stderr_is_terminal(),
                             options.keep_partial ? OnInterruption::kFinish : OnInterruption::kEnd);
   if (options.keep_partial) end_orderly();
   try {
     Answer answer;
-    answer.results = with_file(options.study, [&] { return lighting::run(study, progress, limits); });
+    answer.results = with_file(options.study, [&] { return question.compute(progress, limits); });
     end_orderly();  // until here there is nothing on the disk
     answer.summary = io::write_results(options.out, answer.results, context, std::move(figures), progress);
     return answer;
@@ -89,24 +89,35 @@ int conclude(const lighting::Results& results, const Options& options) {
 
 }  // namespace
 
-int answer(lighting::Study::Kind kind, const Options& options) {
+int answer(const Options& options, const std::function<Question()>& read) {
   const lighting::Limits limits = limits_of(options);
   const io::Stopwatch reading;
-  const io::StudyInput input = io::read_study(options.study, {kind, options.set});
-  const io::ResultContext context = context_of(input, options);
-  io::check_result_folder(options.out, io::result_names(input.study, options.study));
+  const Question question = read();
+  const io::ResultContext context = context_of(question.input, question.file, options);
+  io::check_result_folder(options.out, io::result_names(question.input.study, question.file));
   io::RunFigures figures;
   figures.before.push_back(reading.elapsed("reading"));
   figures.threads = options.threads;
   lighting::set_threads(options.threads);
 
-  const Answer answer = run_and_write(input.study, context, std::move(figures), options, limits);
+  const Answer answer = run_and_write(question, context, std::move(figures), options, limits);
   if (options.json) {
     print(answer.summary, kConsolation);
   } else if (!options.quiet) {
     print(report(answer.results, context, options.out), kConsolation);
   }
   return conclude(answer.results, options);
+}
+
+int answer(lighting::Study::Kind kind, const Options& options) {
+  return answer(options, [&] {
+    Question question{options.study, io::read_study(options.study, {kind, options.set}), {}};
+    question.input.study.keep_solution = options.save_solution;
+    question.compute = [study = question.input.study](Progress& progress, const lighting::Limits& limits) {
+      return lighting::run(study, progress, limits);
+    };
+    return question;
+  });
 }
 
 }  // namespace clerestory::tools

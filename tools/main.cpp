@@ -11,6 +11,7 @@
 #include "tools/interruption.h"
 #include "tools/mesh.h"
 #include "tools/options.h"
+#include "tools/sense.h"
 #include "tools/standard_output.h"
 
 namespace clerestory::tools {
@@ -29,6 +30,8 @@ int run(const Request& request) {
       return clean(request.options);
     case Request::What::kMesh:
       return mesh(request.options);
+    case Request::What::kSense:
+      return sense(request.options);
     case Request::What::kText:
       break;
   }

@@ -20,7 +20,7 @@ namespace clerestory::tools {
 int mesh(const Options& options) {
   lighting::set_threads(options.threads);
   const io::StudyInput input = io::read_study(options.study, {lighting::Study::Kind::kIlluminance, options.set});
-  const io::ResultContext context = context_of(input, options);
+  const io::ResultContext context = context_of(input, options.study, options);
   io::check_result_folder(options.out, io::mesh_file_names());
   TerminalProgress progress(!options.quiet && stderr_is_terminal());
   const lighting::MeshedStudy meshed =

@@ -69,6 +69,14 @@ constexpr const char* kIlluminanceFooter = R"(Examples:
                                                       what can be had within the limits, or until ctrl-C
 )";
 
+constexpr const char* kSenseFooter = R"(Examples:
+  clerestory daylight office.toml --save-solution     first: office-results/solution.h5
+  clerestory sense office-results                     the grids that stand in office.toml now, without solving
+  clerestory sense office-results --grid 'name = "desks", surface = "desk*", height = 0.0, spacing = 0.1'
+  clerestory sense office-results --grid 'name = "eyes", points = "eyes.pts"' -o eyes
+                                                      a grid has the keys of [[grids]] in a study
+)";
+
 /// A subcommand, in the order of the help.
 struct Command {
   Request::What what;
@@ -87,7 +95,9 @@ constexpr std::array kCommands{
     Command{Request::What::kDaylight, "daylight", "Daylight factors under the CIE overcast sky", kDaylightFooter,
             "daylight office.toml"},
     Command{Request::What::kIlluminance, "illuminance", "Illuminance under the study's sky and lamps",
-            kIlluminanceFooter, "illuminance office.toml"}};
+            kIlluminanceFooter, "illuminance office.toml"},
+    Command{Request::What::kSense, "sense", "New grids from a stored solution, without solving", kSenseFooter,
+            "sense office-results"}};
 
 std::vector<std::string> command_names() {
   std::vector<std::string> names;
@@ -114,12 +124,19 @@ struct Raw {
   std::string max_time;
   std::string max_memory;
   bool keep_partial = false;
+  bool save_solution = false;
+  std::vector<std::string> grids;
 };
 
-void add_common_options(CLI::App& app, Raw& raw) {
+void add_common_options(CLI::App& app, const Command& command, Raw& raw) {
   // Not required as CLI11 means it: an unknown option is the more telling complaint.
-  app.add_option("study", raw.study, "Study file (.toml), or model file with every key at its default")
-      ->type_name("STUDY|MODEL");
+  if (command.what == Request::What::kSense) {
+    app.add_option("results", raw.study, "Folder of a run with --save-solution, or its solution.h5")
+        ->type_name("RESULTS");
+  } else {
+    app.add_option("study", raw.study, "Study file (.toml), or model file with every key at its default")
+        ->type_name("STUDY|MODEL");
+  }
   app.add_option("--threads", raw.threads, "Number of threads (default: every core)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""));
@@ -170,7 +187,7 @@ void add_model_options(CLI::App& app, Raw& raw) {
 void add_command(CLI::App& app, const Command& command, Raw& raw) {
   CLI::App& own = *app.add_subcommand(command.name, command.meaning);
   own.footer(command.footer);
-  add_common_options(own, raw);
+  add_common_options(own, command, raw);
   switch (command.what) {
     case Request::What::kInspect:
       add_model_options(own, raw);
@@ -184,8 +201,16 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
       add_run_options(own, raw, "STUDY-mesh");
       own.add_flag("--lines", raw.lines, "The shadow lines alone");
       break;
+    case Request::What::kSense:
+      add_run_options(own, raw, "RESULTS-sense");
+      own.add_option("--grid", raw.grids, "A grid in place of the study's, by the keys of [[grids]]; may be repeated")
+          ->type_name("KEYS")
+          ->allow_extra_args(false);
+      add_limits(own, raw);
+      break;
     default:
       add_run_options(own, raw);
+      own.add_flag("--save-solution", raw.save_solution, "Keeps the solution too, for clerestory sense");
       add_limits(own, raw);
   }
 }
@@ -250,6 +275,11 @@ std::string command_text(std::span<const char* const> words) {
 }
 
 std::filesystem::path default_out(const Command& command, const std::filesystem::path& study) {
+  if (command.what == Request::What::kSense) {
+    std::filesystem::path results = study.extension() == ".h5" ? study.parent_path() : study;
+    if (results.filename().empty()) results = results.parent_path();
+    return results.parent_path() / (results.filename().string() + "-sense");
+  }
   const char* const ending = command.what == Request::What::kMesh ? "-mesh" : "-results";
   return study.parent_path() / (study.stem().string() + ending);
 }
@@ -262,12 +292,17 @@ std::vector<std::string> settings_of(const Raw& raw) {
   if (!raw.up.empty()) set.push_back(fmt::format("model.up={}", raw.up));
   if (!raw.gap.empty()) set.push_back(fmt::format("model.gap={}", raw.gap));
   if (!raw.repair.empty()) set.push_back(fmt::format("model.repair={}", raw.repair));
+  std::string grids;
+  for (const std::string& keys : raw.grids) grids += fmt::format("{}{{{}}}", grids.empty() ? "" : ", ", keys);
+  if (!grids.empty()) set.push_back(fmt::format("grids=[{}]", grids));
   return set;
 }
 
 Options options_of(const Command& command, const Raw& raw, std::span<const char* const> words) {
   if (raw.study.empty())
-    throw CommandLineError(fmt::format("no study or model given; as in: clerestory {}", command.example));
+    throw CommandLineError(fmt::format("no {} given; as in: clerestory {}",
+                                       command.what == Request::What::kSense ? "results" : "study or model",
+                                       command.example));
   if (command.what == Request::What::kClean && raw.out.empty())
     throw CommandLineError(fmt::format("no file to write given; as in: clerestory {}", command.example));
   for (const std::string& assignment : raw.set)
@@ -285,6 +320,7 @@ Options options_of(const Command& command, const Raw& raw, std::span<const char*
   if (!raw.max_time.empty()) options.max_time_s = parse_duration(raw.max_time);
   if (!raw.max_memory.empty()) options.max_memory_bytes = parse_size(raw.max_memory);
   options.keep_partial = raw.keep_partial;
+  options.save_solution = raw.save_solution;
   options.command = command_text(words);
   return options;
 }

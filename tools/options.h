@@ -19,7 +19,7 @@ class CommandLineError : public std::runtime_error {
 
 /// What the subcommands are asked for.
 struct Options {
-  std::filesystem::path study;  ///< or a model
+  std::filesystem::path study;  ///< or a model; of sense, the folder of results
   std::filesystem::path out;    ///< the folder of the results; of clean, the model to write
   std::vector<std::string>
       set;          ///< "key=value", in the order given; last what has an option of its own: "accuracy.target=..."
@@ -31,13 +31,14 @@ struct Options {
   // Of daylight and illuminance:
   std::optional<double> max_time_s;
   std::optional<std::uint64_t> max_memory_bytes;
-  bool keep_partial = false;  ///< ctrl-C ends the run with what it has
-  std::string command;        ///< the whole command line, words quoted where a shell needs it
+  bool save_solution = false;  ///< for sense
+  bool keep_partial = false;   ///< ctrl-C ends the run with what it has
+  std::string command;         ///< the whole command line, words quoted where a shell needs it
 };
 
 /// What the command line asks for: a subcommand, or a text to be printed.
 struct Request {
-  enum class What { kText, kInspect, kClean, kMesh, kDaylight, kIlluminance };
+  enum class What { kText, kInspect, kClean, kMesh, kDaylight, kIlluminance, kSense };
 
   What what = What::kText;
   std::string text;  ///< of --help and --version

@@ -36,10 +36,18 @@ std::string now_text() {
 
 }  // namespace
 
-io::ResultContext context_of(const io::StudyInput& input, const Options& options) {
+io::ResultContext context_of(const io::StudyInput& input, const std::filesystem::path& file, const Options& options) {
   const lighting::Study& study = input.study;
-  return {study.name,      study.kind,           kVersion,  sky_in_words(study.sky), study.north_deg,
-          options.command, input.effective_json, now_text()};
+  return {study.name,
+          study.kind,
+          kVersion,
+          sky_in_words(study.sky),
+          study.north_deg,
+          options.command,
+          input.effective_json,
+          now_text(),
+          std::filesystem::absolute(file).lexically_normal(),
+          options.set};
 }
 
 }  // namespace clerestory::tools

@@ -8,6 +8,6 @@
 namespace clerestory::tools {
 
 /// What the files of a run that begins now say about it.
-io::ResultContext context_of(const io::StudyInput& input, const Options& options);
+io::ResultContext context_of(const io::StudyInput& input, const std::filesystem::path& file, const Options& options);
 
 }  // namespace clerestory::tools

@@ -209,13 +209,34 @@ def same_bytes_for_one_and_two_threads(command):
     expect(tables[0] == tables[1], "the tables differ")
 
 
+def stored_solution_answers_new_grids_and_no_other_study(command):
+    command.run("daylight", "room.toml", "--quiet", "--save-solution")
+    solved = command.contents("room-results")
+    command.run("sense", "room-results", "--quiet")
+    sensed = command.contents("room-results-sense")
+    expect(sensed["workplane.csv"] == solved["workplane.csv"], "the same grid differs")
+    expect("surfaces.vtp" not in sensed and "solution.h5" not in sensed, f"there are {sorted(sensed)}")
+    command.run("sense", "room-results/solution.h5", "--quiet", "-o", "eyes", "--grid",
+                'name = "eyes", surface = "rooms", height = 1.2')
+    expect("eyes.csv" in command.contents("eyes"), "the new grid is missing")
+    for arguments, why in (
+            (("-o", "room-results"), "would replace"), (("--set", "sky.ground_reflectance=0.4"), "have changed"),
+            (("--grid", 'nam = "eyes"'), "did you mean 'name'")):
+        expect(why in command.run("sense", "room-results", *arguments, status=1, lines=1), f"not told: {why}")
+    expect("--save-solution" in command.run("sense", "eyes", status=1, lines=1), "no remedy")
+    expect(command.contents("room-results") == solved, "the solved results have changed")
+    command.run("daylight", "room.toml", "--quiet")
+    expect("solution.h5" not in command.contents("room-results"), "a stale solution is left")
+
+
 SCENARIOS = {f.__name__: f for f in (
     clean_on_a_full_disk_leaves_what_was_there, clean_replaces_its_own_files_alone, current_folder_keeps_other_files,
     file_of_the_user_is_not_overwritten, full_disk_keeps_older_results, full_disk_writes_nothing,
     interruption_keeps_what_there_is_when_asked, interruption_leaves_the_folder_as_it_was,
     limit_met_with_nothing_to_show_leaves_nothing_stale, limit_on_time_ends_with_what_there_is,
     lines_of_two_gigabytes_are_refused_at_once, memory_that_runs_out_is_an_error_and_leaves_nothing_stale,
-    same_bytes_for_one_and_two_threads, second_run_replaces_the_first)}
+    same_bytes_for_one_and_two_threads, second_run_replaces_the_first,
+    stored_solution_answers_new_grids_and_no_other_study)}
 
 
 def main():

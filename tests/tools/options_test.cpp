@@ -129,6 +129,19 @@ TEST(Options, LimitsHaveUnits) {
   }
 }
 
+TEST(Options, GridsOfSenseAreThoseOfTheStudy) {
+  const Options options =
+      read({"sense", "a-results", "--grid", "name = 'b', height = 1", "--grid", "name = 'c'"}).options;
+  EXPECT_EQ(options.study, "a-results");
+  EXPECT_EQ(options.out, "a-results-sense");
+  EXPECT_THAT(options.set, ElementsAre("grids=[{name = 'b', height = 1}, {name = 'c'}]"));
+  EXPECT_EQ(read({"sense", "x/a-results/"}).options.out, "x/a-results-sense");
+  EXPECT_EQ(read({"sense", "x/a-results/solution.h5"}).options.out, "x/a-results-sense");
+  EXPECT_TRUE(read({"daylight", "a.obj", "--save-solution"}).options.save_solution);
+  EXPECT_THAT(complaint({"sense", "a-results", "--save-solution"}), HasSubstr("unknown option"));
+  EXPECT_THAT(complaint({"sense"}), HasSubstr("no results given"));
+}
+
 TEST(Options, LimitsAreOfRunsAlone) {
   const Options options =
       read({"illuminance", "a.obj", "--max-time", "2min", "--max-memory", "4GB", "--keep-partial"}).options;
