@@ -9,6 +9,8 @@ namespace clerestory::mesh {
 namespace {
 
 constexpr std::size_t kMostPieces = 128;
+/// Pieces compared with blockers: a louvre needs some hundreds, and in a crowd rays are quicker.
+constexpr std::size_t kMostTrials = 800;
 /// What reaches over a plane by less than this is on it [m]: rounding, and surfaces that touch.
 constexpr double kTouch = 1e-9;
 
@@ -90,6 +92,7 @@ bool is_beside(const ConvexPiece& piece, std::span<const HalfSpace> shadow) {
 /// Takes a shadow from each piece; false where they become too many.
 bool subtract(std::vector<ConvexPiece>& pieces, std::span<const HalfSpace> shadow) {
   std::vector<ConvexPiece> left;
+  left.reserve(2 * pieces.size());
   for (const ConvexPiece& piece : pieces) {
     if (is_beside(piece, shadow)) {
       left.push_back(piece);
@@ -128,7 +131,10 @@ std::optional<std::vector<ConvexPiece>> seen_parts(const Point& from, const std:
   for (const Point& p : triangle) whole.corners[whole.count++] = p;
   std::vector<ConvexPiece> pieces{whole};
   std::vector<HalfSpace> shadow;
+  std::size_t trials = 0;
   for (const auto& blocker : blockers) {
+    trials += pieces.size();
+    if (trials > kMostTrials) return std::nullopt;
     shadow_of(from, blocker, shadow);
     if (!shadow.empty() && !subtract(pieces, shadow)) return std::nullopt;
     if (pieces.empty()) break;

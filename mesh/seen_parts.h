@@ -27,7 +27,8 @@ struct ConvexPiece {
 /// [Weiler, Atherton 1977], in the space of directions from the point, so that blockers may reach the point's own plane.
 /// @param triangle  corners in turn; the parts are wound as it is
 /// @param blockers  convex planar polygons; those whose plane holds the point hide nothing
-/// @return convex pieces that do not overlap; nothing where they would be more than 128, or have more corners than a piece can have
+/// @return convex pieces that do not overlap; nothing where they would be more than 128, or have more corners than a piece can have, or take
+/// long to find in a crowd
 std::optional<std::vector<ConvexPiece>> seen_parts(const Point& from, const std::array<Point, 3>& triangle,
                                                    std::span<const std::span<const Point>> blockers);
 

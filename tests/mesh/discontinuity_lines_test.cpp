@@ -405,6 +405,21 @@ TEST(DiscontinuityLines, LampInsideOfASolidLightsItsInsideAlone) {
   EXPECT_TRUE(lines_on(faces, found, "floor").empty());
 }
 
+TEST(DiscontinuityLines, CoincidentAndDegenerateOccludersCastTheShadowOfOne) {
+  Model model = floor_of(5);
+  add_level_rectangle(model, -0.5, -0.4, 0.5, 0.4, 1.5, "plate");
+  support::add_quad(model, {-0.5, -0.4, 1.5}, {0.5, -0.4, 1.5}, {0.5, 0.4, 1.5}, {-0.5, 0.4, 1.5}, {"plate", "twin"});
+  support::add_triangle(model, {-0.5, -0.4, 1.5}, {0.0, -0.4, 1.5}, {0.5, -0.4, 1.5}, {"plate", "nothing"});
+  const Faces faces = faces_from(model);
+  const auto lines = lines_on(faces, find(faces, lamp(0.6, 0.3, 3.0)), "floor");
+  EXPECT_LT(polygon_gap(lines, rectangle(0.4, 0.5)), kMillimetre);
+  EXPECT_LT(polygon_gap(lines, rectangle(1.6, 1.1)), kMillimetre);
+  for (const DiscontinuityLine& line : lines) {
+    EXPECT_EQ(line.order, 1);
+    EXPECT_TRUE(std::isfinite(line.uncovering));
+  }
+}
+
 TEST(DiscontinuityLines, ThousandsOfTinyPartsEndAtTheLimit) {
   Model model = floor_of(5);
   std::mt19937 random(5);
