@@ -46,9 +46,8 @@ constexpr StudyKey kKeys[] = {
      .type = kNumberOrWord,
      .unit = "m",
      .fallback = "\"auto\"",
-     .meaning =
-         "Corners at open edges this near to another surface are drawn to it, 0: none; auto: the precision of the "
-         "model's coordinates, 1 mm at most.",
+     .meaning = "Corners at open edges this near to another surface are drawn to it, 0: none; auto: 1 mm beside long "
+                "sides, elsewhere the precision of the model's coordinates.",
      .low = 0.0,
      .high = 0.1,
      .words = "auto"},

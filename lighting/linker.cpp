@@ -32,6 +32,9 @@ constexpr double kSmallest = 0.015;    ///< elements of a smaller radius are not
 constexpr float kLeastReflectance = 0.2F;
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
 constexpr std::size_t kExactPairs = 512;
+/// Mean squares between places over those within them from which on places differ: by chance, 7 places of 4 rays come to it once in a
+/// hundred times (the F distribution of 6 and 21 degrees of freedom).
+constexpr double kDiffer = 3.81;
 constexpr double kInFront = 1e-7;  ///< a corner this far in front of a plane counts as in front [m]
 
 /// How a convex hull lies to a plane.
@@ -108,8 +111,44 @@ struct View {
   double unoccluded = 0.0;  ///< mean factor without occluders
   double rays = 0.0;
   double passing = 0.0;
+  double between = 0.0;  ///< mean square of the places' shares about the mean of all, by their rays
+  double within = 0.0;   ///< of the rays of one place about its share
 
+  /// Whether what is seen differs more from place to place than from ray to ray of one place: then parts of this piece see more evenly,
+  /// and parts of the other one do not [the analysis of variance: Fisher 1925].
+  [[nodiscard]] bool places_differ() const { return between > kDiffer * within; }
   [[nodiscard]] double seen_share() const { return unoccluded > 0.0 ? fit.line.value / unoccluded : 0.0; }
+};
+
+/// Sums of squares over the rays of all places.
+class SeenShares {
+ public:
+  void add(std::span<const float> passed) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const float p : passed) {
+      sum += p;
+      squares += double{p} * p;
+    }
+    const auto n = static_cast<double>(passed.size());
+    places_ += 1.0;
+    rays_ += n;
+    sum_ += sum;
+    squares_of_places_ += sum * sum / n;
+    within_ += squares - sum * sum / n;
+  }
+  void tell(View& view) const {
+    if (places_ < 2.0) return;
+    view.between = (squares_of_places_ - sum_ * sum_ / rays_) / (places_ - 1.0);
+    view.within = within_ / std::max(1.0, rays_ - places_);
+  }
+
+ private:
+  double places_ = 0.0;
+  double rays_ = 0.0;
+  double sum_ = 0.0;
+  double squares_of_places_ = 0.0;
+  double within_ = 0.0;
 };
 
 /// Which of two pieces is the smaller; by their keys where they are alike, so that both directions agree.
@@ -132,6 +171,7 @@ View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, Ele
   const double lift = scene.rays->offset_m();
   const std::size_t each = (kRays + places.count - 1) / places.count;
   std::array<PlaneSample, kPlaces> samples;
+  SeenShares shares;
   View view;
   for (std::size_t i = 0; i < places.count; ++i) {
     const Point& place = places.at[i];
@@ -162,7 +202,9 @@ View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, Ele
     }
     view.rays += static_cast<double>(each);
     samples[i].value *= all > 0.0 ? seen / all : 0.0;
+    shares.add(std::span(passed).first(each));
   }
+  shares.tell(view);
   view.fit = fit_line(std::span(samples).first(places.count), rays != RaysFrom::kNobody);
   return view;
 }
@@ -239,7 +281,8 @@ LinkDecision::Kind Linker::split_for_receiver(const Link& link) const {
   const double other = tree.radius(s);
   const bool uneven = solution_.radiosity_deviation(s) > 0.02F * solution_.radiosity_mean(s);
   // A proven view of an even source gains nothing by splitting the source: its factor is exact.
-  const bool receiver_first = (link.visibility == Visibility::kVisible && !uneven) || own >= other;
+  const bool own_first = link.split_small ? is_smaller(tree, link.receiver, s) : own >= other;
+  const bool receiver_first = (link.visibility == Visibility::kVisible && !uneven) || own_first;
   if (receiver_first && own > kSmallest) return Kind::kSplitReceiver;
   if (other > kSmallest) return Kind::kSplitSource;
   return own > kSmallest ? Kind::kSplitReceiver : Kind::kLink;
@@ -326,20 +369,30 @@ std::optional<Link> Linker::link_roughly(const LinkCandidate& candidate) const {
   const double lift = scene.rays->offset_m();
   std::array<mesh::Segment, kFewRays> segments;
   std::array<float, kFewRays> passed{};
+  std::array<double, kFewRays> kernel{};
   for (std::uint32_t i = 0; i < kFewRays; ++i) {
-    const Point p = tree.sample(from, points.at(i, 0), points.at(i, 1)) + lift * tree.normal(from);
-    const Point q = tree.sample(at, points.at(i, 2), points.at(i, 3)) + lift * tree.normal(at);
-    segments[i] = receiver_small ? mesh::Segment{p, q} : mesh::Segment{q, p};
+    const Point p = tree.sample(from, points.at(i, 0), points.at(i, 1));
+    const Point q = tree.sample(at, points.at(i, 2), points.at(i, 3));
+    const Vector to = q - p;
+    const double distance2 = dot(to, to);
+    kernel[i] = std::max(0.0, dot(to, tree.normal(from))) * std::max(0.0, -dot(to, tree.normal(at))) /
+                (std::numbers::pi * distance2 * distance2);
+    const mesh::Segment lifted{p + lift * tree.normal(from), q + lift * tree.normal(at)};
+    segments[i] = receiver_small ? lifted : mesh::Segment{lifted.to, lifted.from};
   }
   scene.rays->transmittance(segments, passed);
   double share = 0.0;
-  for (const float p : passed) share += p / kFewRays;
+  double seen = 0.0;  // factor, by the kernel: through a slit rays pass where it is small
+  for (std::size_t i = 0; i < kFewRays; ++i) {
+    share += passed[i] / kFewRays;
+    seen += passed[i] * kernel[i] * tree.area(at) / kFewRays;
+  }
   Link link;
   link.receiver = r;
   link.source = candidate.source;
   link.rough = true;
   const double ratio = receiver_small ? 1.0 : tree.area(s) / tree.area(r);
-  link.factor = static_cast<float>(share * factor * ratio);
+  link.factor = static_cast<float>(seen * ratio);
   link.error = static_cast<float>(factor * ratio);
   link.noise = static_cast<float>(visibility_noise(factor * ratio, kFewRays, kFewRays * share));
   return link;
@@ -394,6 +447,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.moment_u = static_cast<float>(source_share * sources.fit.line.slope_u);
   link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
   link.noise = static_cast<float>(visibility_noise(exchange / tree.area(r), small.rays, small.passing));
+  link.split_small = small.places_differ();
   // What the line over a piece misses there, by its own places; those of a large piece also miss some of the mean.
   const auto error_over = [&](ElementId piece, double other_area, const View& view, bool is_small) {
     const double unoccluded = exchange / tree.area(piece);

@@ -45,8 +45,10 @@ struct Link {
   float noise = 0.0F;       ///< the part of the error that the mean over the receiver has
   mesh::Visibility visibility = mesh::Visibility::kPartial;
   bool by_rays = false;  ///< what rays of the receiver ended on, not an estimate of the pair
-  bool rough = false;    ///< made of a few rays, because it could not matter with the light there was
-  bool mutual = false;   ///< between two elements, both of which receive by it
+  bool split_small =
+      false;  ///< the light differs over the smaller end: refining that one tells more than refining the larger
+  bool rough = false;   ///< made of a few rays, because it could not matter with the light there was
+  bool mutual = false;  ///< between two elements, both of which receive by it
 };
 
 /// A mutual link as its source receives by it. What is exchanged is one symmetric kernel, linear in the places on both pieces, so that

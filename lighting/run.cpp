@@ -28,6 +28,7 @@
 #include "mesh/element_tree.h"
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
+#include "mesh/slits.h"
 
 namespace clerestory::lighting {
 
@@ -198,6 +199,8 @@ void show_surfaces(const Study& study, const Solution& solution, const SolutionE
 Solution unsolved(const Scene& scene, Progress& progress) {
   mesh::MeshOptions options;
   options.max_size_m = kStartSizeM;
+  const std::vector<mesh::FaceLine> slits = mesh::slit_lines(scene.faces, scene.has_elements);
+  options.lines = slits;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
   progress.advance(kShareOfStartMesh);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));

@@ -153,10 +153,11 @@ class Repair {
   }
 
   void close_all_gaps(CleanReport& report) {
-    report.gap_m = options_.gap_m ? *options_.gap_m : gap_of_precision(soup_, tolerance_);
+    const GapWidth gap = options_.gap_m ? GapWidth{*options_.gap_m, *options_.gap_m} : gap_unasked(soup_, tolerance_);
+    report.gap_m = gap.wide_m;
     progress_.advance(kShareOfWidth);
     for (int round = 0; round < kMaxRounds; ++round) {
-      if (!close_gaps(soup_, report.gap_m, tolerance_, defects_)) break;
+      if (!close_gaps(soup_, gap, tolerance_, defects_)) break;
       weld_again();
       DefectList own_making;
       PhasePart conforming(progress_, kShareOfClosing, 1.0);

@@ -21,8 +21,8 @@ struct CleanOptions {
   /// 0.02 mm: twenty times under the gap of 0.1 to 1 mm that models leave on purpose, and well over the rounding of
   /// files that print six decimals.
   double weld_tolerance_m = 2e-5;
-  /// Corners at open edges this near to another surface are drawn to it [m]; 0: none. Not given: the precision of the model's own
-  /// coordinates, 1 mm at most (mesh/gaps.h).
+  /// Corners at open edges this near to another surface are drawn to it [m]; 0: none. Not given: 1 mm beside long sides, elsewhere the
+  /// precision of the model's own coordinates (mesh/gaps.h).
   std::optional<double> gap_m;
   /// Thin sheets: by material, whether its thin solids and double sheets are one pane, to be replaced by its
   /// mid-surface (glazing: the transmittance of the whole unit applies once). Empty: none.

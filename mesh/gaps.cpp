@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -16,8 +17,10 @@ namespace clerestory::mesh {
 
 namespace {
 
-/// No gap is wider than this unless the user says so: models leave such slits on purpose [m].
+/// No gap is wider than this, but for rounding, unless the user says so [m].
 constexpr double kMaxGap = 1e-3;
+/// What a corner may move by beyond the precision, as a share of the shortest side at it: fine meshes keep their shape.
+constexpr double kMoveOverSide = 0.1;
 /// Share of a step of the coordinates, between √3/2 and 1.
 constexpr double kGapOverStep = 0.9;
 /// Coordinates that are multiples of a step within this share of it were rounded to it.
@@ -50,8 +53,12 @@ struct Move {
 
 class GapSearch {
  public:
-  GapSearch(const Soup& soup, double gap, double tolerance)
-      : soup_(soup), gap_(gap), tolerance_(tolerance), polygons_of_(soup.points.size()) {
+  GapSearch(const Soup& soup, const GapWidth& gap, double tolerance)
+      : soup_(soup),
+        gap_(gap),
+        tolerance_(tolerance),
+        polygons_of_(soup.points.size()),
+        shortest_side_(soup.points.size(), std::numeric_limits<double>::infinity()) {
     const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
     for_each_edge_group(uses, [&](std::size_t first, std::size_t last) {
       if (last - first == 1) corners_.insert(corners_.end(), uses[first].edge.begin(), uses[first].edge.end());
@@ -68,8 +75,10 @@ class GapSearch {
     std::vector<bool> is_corner(soup.points.size(), false);
     for (const std::uint32_t corner : corners_) is_corner[corner] = true;
     for (std::uint32_t p = 0; p < soup.polygons.size(); ++p) {
-      for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t) {
+      for_each_edge(soup.polygons[p], [&](std::uint32_t a, std::uint32_t b) {
         if (is_corner[a]) polygons_of_[a].push_back(p);
+        const double length = norm(soup.points[b] - soup.points[a]);
+        for (const std::uint32_t end : {a, b}) shortest_side_[end] = std::min(shortest_side_[end], length);
       });
     }
   }
@@ -104,14 +113,15 @@ class GapSearch {
 
   std::optional<Target> nearest(std::uint32_t corner, const std::set<std::uint32_t>& moved) const {
     std::optional<Target> best;
+    const double reach = std::min(gap_.wide_m, std::max(gap_.any_m, kMoveOverSide * shortest_side_[corner]));
     Box near;
     near.add(soup_.points[corner]);
-    near = grown(near, gap_);
+    near = grown(near, reach);
     tree_.visit([&](const Box& box) { return overlap(near, box); },
                 [&](std::uint32_t p) {
                   const std::vector<std::uint32_t>& own = polygons_of_[corner];
                   if (!planes_[p] || std::find(own.begin(), own.end(), p) != own.end()) return;
-                  std::optional<Target> found = target_on(corner, p);
+                  std::optional<Target> found = target_on(corner, p, reach);
                   if (!found || found->distance <= tolerance_ || lies_before(corner, p, found->at)) return;
                   const auto was_moved = [&](std::uint32_t v) { return moved.contains(v); };
                   if (std::any_of(found->vertices.begin(), found->vertices.end(), was_moved)) return;
@@ -122,14 +132,14 @@ class GapSearch {
   }
 
   /// The nearest place of a polygon within the gap: a vertex rather than an edge, an edge rather than its inside.
-  std::optional<Target> target_on(std::uint32_t corner, std::uint32_t p) const {
+  std::optional<Target> target_on(std::uint32_t corner, std::uint32_t p, double reach) const {
     const Point& at = soup_.points[corner];
     std::optional<Target> best;
     bool touches = false;
     const auto offer = [&](const Point& place, int rank, std::vector<std::uint32_t> vertices) {
       const double distance = norm(place - at);
       touches = touches || distance <= tolerance_;
-      if (distance > gap_) return;
+      if (distance > reach) return;
       if (best && std::pair(best->rank, best->distance) <= std::pair(rank, distance)) return;
       best = Target{place, distance, rank, std::move(vertices)};
     };
@@ -140,7 +150,7 @@ class GapSearch {
       if (t > 0.0 && t < 1.0) offer(soup_.points[a] + t * d, 1, {a, b});
     });
     const double height = planes_[p]->distance(at);
-    if (!best && std::abs(height) <= gap_) {
+    if (!best && std::abs(height) <= reach) {
       const PlanarRegion region = region_of(soup_, soup_.polygons[p]);
       if (region.outline.winding(region.plane.project(at)) != 0) {
         offer(at - height * planes_[p]->normal, 2, soup_.polygons[p].loops[0]);
@@ -162,12 +172,13 @@ class GapSearch {
   }
 
   const Soup& soup_;
-  double gap_;
+  GapWidth gap_;
   double tolerance_;
   std::vector<std::optional<Plane>> planes_;
   BoxTree tree_;
   std::vector<std::uint32_t> corners_;  ///< vertices of open edges, ascending
   std::vector<std::vector<std::uint32_t>> polygons_of_;
+  std::vector<double> shortest_side_;  ///< [vertices] of those that meet there [m]
 };
 
 }  // namespace
@@ -182,6 +193,10 @@ double gap_of_precision(const Soup& soup, double tolerance) {
     break;
   }
   return std::min(gap, kMaxGap);
+}
+
+GapWidth gap_unasked(const Soup& soup, double tolerance) {
+  return {gap_of_precision(soup, tolerance), kMaxGap + tolerance};
 }
 
 namespace {
@@ -206,8 +221,8 @@ std::set<std::uint32_t> spoiled(const Soup& soup, const std::vector<Point>& move
 
 }  // namespace
 
-bool close_gaps(Soup& soup, double gap, double tolerance, DefectList& defects) {
-  if (gap <= tolerance) return false;
+bool close_gaps(Soup& soup, const GapWidth& gap, double tolerance, DefectList& defects) {
+  if (gap.wide_m <= tolerance) return false;
   const GapSearch search(soup, gap, tolerance);
   const std::vector<Move> moves = search.run();
   if (moves.empty()) return false;

@@ -175,7 +175,8 @@ void add_model_options(CLI::App& app, Raw& raw) {
       ->type_name("AXIS")
       ->check(CLI::IsMember({"z", "y"}).description(""));
   app.add_option("--gap", raw.gap,
-                 "Gaps of up to this width [m] are closed (default: the precision of the coordinates)")
+                 "Gaps of up to this width [m] are closed (default: 1 mm beside long sides, else the precision of the "
+                 "coordinates)")
       ->type_name("METRES")
       ->check(CLI::Range(0.0, 0.1).description(""));
   app.add_option("--repair", raw.repair, "Defects are mended (auto), only reported (report), or not looked for (off)")

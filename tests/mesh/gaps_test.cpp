@@ -44,6 +44,29 @@ TEST(Gaps, AreClosedUpToTheWidthGivenAndNoWider) {
   EXPECT_NEAR(clean(two_floors(1e-3), options).report.area_after_m2, 2.0 - 1e-3, 1e-12);
 }
 
+TEST(Gaps, OfOneMillimetreBesideLongSidesAreClosedUnaskedHoweverTheModelIsTurned) {
+  for (const double rotation_rad : {0.0, 0.3}) {
+    const Model turned = support::rotated(two_floors(1e-3), {0.48, -0.6, 0.64}, rotation_rad);
+    EXPECT_NEAR(clean(turned, {}).report.area_after_m2, 2.0, 1e-9);
+    const Model wider = support::rotated(two_floors(2e-3), {0.48, -0.6, 0.64}, rotation_rad);
+    EXPECT_NEAR(clean(wider, {}).report.area_after_m2, 2.0 - 2e-3, 1e-9);
+  }
+}
+
+TEST(Gaps, FineMeshesKeepTheirsUnasked) {
+  // Sides of 3 mm: a shift of 0.4 mm would bend them, though the same gap beside long sides is closed.
+  const Model small = support::rotated(
+      [] {
+        Model model;
+        support::add_quad(model, {0, 0, 0}, {0.003, 0, 0}, {0.003, 0.003, 0}, {0, 0.003, 0});
+        support::add_quad(model, {0.0034, 0, 0}, {0.0064, 0, 0}, {0.0064, 0.003, 0}, {0.0034, 0.003, 0});
+        return model;
+      }(),
+      {0.48, -0.6, 0.64}, 0.3);
+  const CleanReport report = clean(small, {}).report;
+  EXPECT_TRUE(std::ranges::none_of(report.defects, [](const Defect& d) { return d.kind == "gaps"; }));
+}
+
 TEST(Gaps, SolidsDoNotMove) {
   Model model;
   support::add_box(model, {0, 0, 0}, {1, 1, 1});

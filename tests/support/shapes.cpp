@@ -178,8 +178,9 @@ Model two_rooms_with_thin_wall(const ThinWall& wall) {
   const double half = 0.5 * wall.thickness_m;
   const double left = 3.0 - half;
   const double right = 3.0 + half;
-  add_quad(model, {left, 0, 0}, {left, 0, 3}, {left, 4, 3}, {left, 4, 0}, names);
-  if (half > 0.0) add_quad(model, {right, 0, 0}, {right, 4, 0}, {right, 4, 3}, {right, 0, 3}, names);
+  const double foot = wall.short_m;
+  add_quad(model, {left, 0, foot}, {left, 0, 3}, {left, 4, 3}, {left, 4, foot}, names);
+  if (half > 0.0) add_quad(model, {right, 0, foot}, {right, 4, foot}, {right, 4, 3}, {right, 0, 3}, names);
   return wall.rotation_rad == 0.0 ? model : rotated(std::move(model), wall.axis, wall.rotation_rad);
 }
 

@@ -58,6 +58,7 @@ struct ThinWall {
   double thickness_m = 0.0;   ///< 0: one sheet; else a slab with two sides and no foot or top
   double rotation_rad = 0.0;  ///< of the whole model, about the axis below
   mesh::Vector axis{0.0, 0.0, 1.0};
+  double short_m = 0.0;  ///< so far above the floor it ends
 };
 /// Two closed rooms of 3 m × 4 m × 3 m side by side along x: one floor polygon, one ceiling polygon and one front and back wall
 /// polygon for both, divided at x = 3 by a wall (material "partition") that ends on them without a common vertex.

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 #include "tests/support/shapes.h"
 #include "tests/validation/studies.h"
@@ -93,6 +96,64 @@ INSTANTIATE_TEST_SUITE_P(Rotations, Leak,
                          testing::Values(Turn{0.0, {0, 0, 1}, 0.0}, Turn{17.3, {0, 0, 1}, 0.0},
                                          Turn{41.7, kOblique, 0.0}, Turn{0.0, {0, 0, 1}, 0.1},
                                          Turn{17.3, kOblique, 0.1}, Turn{41.7, {0, 0, 1}, 0.001}));
+
+/// The two rooms, a lamp in the one, sensors in the other, and a wall between them that ends above the floor.
+lighting::Study rooms_with_short_wall(const support::ThinWall& wall) {
+  mesh::Model model =
+      support::two_rooms_with_thin_wall({.thickness_m = wall.thickness_m, .axis = wall.axis, .short_m = wall.short_m});
+  support::add_quad(model, {1, 2.5, 2.6}, {2, 2.5, 2.6}, {2, 1.5, 2.6}, {1, 1.5, 2.6},
+                    {.material = "lamp", .part = "lamp"});
+  lighting::Study study = grey_study(support::rotated(std::move(model), wall.axis, wall.rotation_rad), 0.7);
+  shine(material(study, "lamp"), 5000.0);
+  std::vector<mesh::Point> points;
+  for (const double x : {3.4, 4.5, 5.6})
+    for (const double y : {0.5, 2.0, 3.5})
+      for (const double z : {0.3, 1.5}) points.push_back(turned(mesh::Point{x, y, z}, wall.axis, wall.rotation_rad));
+  add_sensors(study, points, turned(mesh::Vector{0, 0, 1}, wall.axis, wall.rotation_rad));
+  return study;
+}
+
+std::vector<support::ThinWall> short_walls(double short_m) {
+  return {{.short_m = short_m},
+          {.rotation_rad = 0.3, .short_m = short_m},
+          {.thickness_m = 0.1, .rotation_rad = 0.73, .axis = kOblique, .short_m = short_m}};
+}
+
+TEST(ShortWall, OneMillimetreAboveTheFloorIsClosedAndNothingGetsThroughAtAnyAccuracy) {
+  for (const support::ThinWall& wall : short_walls(0.001)) {
+    for (const double accuracy : {0.08, 0.02, 0.01}) {
+      lighting::Study study = rooms_with_short_wall(wall);
+      add_sensors(study, std::vector{turned(mesh::Point{1.5, 2.0, 0.5}, wall.axis, wall.rotation_rad)},
+                  turned(mesh::Vector{0, 0, 1}, wall.axis, wall.rotation_rad));
+      study.mesh.discontinuities = false;
+      study.accuracy.target = accuracy;
+      const lighting::Results results = answer(study);
+      const auto& values = results.grids.at(0).illuminance_lux;
+      for (std::size_t i = 0; i + 1 < values.size(); ++i) EXPECT_EQ(values[i], 0.0F) << accuracy;
+      EXPECT_GT(values.back(), 100.0F) << "the lit room is lit";
+    }
+  }
+}
+
+TEST(ShortWall, FiveCentimetresAboveTheFloorLetThroughWhatPathTracingSays) {
+  // The mean of the sensors by 3 000 000 paths each that also aim at the slit and at the floor behind it, weighed by the balance
+  // heuristic [Veach 1997]; its standard error is 0.0022 lx. The plain tracer of these tests has found the same within its 2.4 %.
+  constexpr double kMean = 1.0716;
+  struct Case {
+    double degrees;
+    double accuracy;
+  };
+  for (const auto& [degrees, accuracy] : {Case{0.0, 0.02}, Case{41.7, 0.08}}) {
+    lighting::Study study =
+        rooms_with_short_wall({.rotation_rad = degrees * std::numbers::pi / 180.0, .axis = kOblique, .short_m = 0.05});
+    study.mesh.discontinuities = false;
+    study.accuracy.target = accuracy;
+    const lighting::Results results = answer(study);
+    const auto& lux = results.grids.at(0).illuminance_lux;
+    const double mean = std::accumulate(lux.begin(), lux.end(), 0.0) / static_cast<double>(lux.size());
+    EXPECT_NEAR(mean, kMean, accuracy * kMean) << degrees << " degrees";
+  }
+}
 
 }  // namespace
 }  // namespace clerestory::test
