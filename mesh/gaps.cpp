@@ -20,7 +20,7 @@ namespace {
 /// No gap is wider than this, but for rounding, unless the user says so [m].
 constexpr double kMaxGap = 1e-3;
 /// What a corner may move by beyond the precision, as a share of the shortest side at it: fine meshes keep their shape.
-constexpr double kMoveOverSide = 0.1;
+constexpr double kMoveOverSide = 0.002;
 /// Share of a step of the coordinates, between √3/2 and 1.
 constexpr double kGapOverStep = 0.9;
 /// Coordinates that are multiples of a step within this share of it were rounded to it.

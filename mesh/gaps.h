@@ -15,7 +15,7 @@ double gap_of_precision(const Soup& soup, double tolerance);
 /// Up to which width gaps are closed [m].
 struct GapWidth {
   double any_m = 0.0;   ///< at every corner
-  double wide_m = 0.0;  ///< at corners whose sides are ten times as long as what they move by; at least any_m
+  double wide_m = 0.0;  ///< at corners whose sides are 500 times as long as what they move by; at least any_m
 };
 
 /// What is closed unasked: any gap that the coordinates' precision explains, and 1 mm beside long sides: a wall that stops so short of its
