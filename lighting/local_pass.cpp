@@ -155,6 +155,12 @@ LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
 }
 
+/// Errors of many openings, each a small share of the light, even out.
+std::uint32_t LocalPass::rays_each(std::size_t openings) const {
+  const std::size_t share = 2 * rays_ / std::max<std::size_t>(1, openings);
+  return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), std::min(kFewRays, rays_), rays_);
+}
+
 bool LocalPass::as_solved(ElementId element) const {
   return !(solution_.closing(element) == LinearValue{1.0F, 0.0F, 0.0F});
 }
@@ -170,7 +176,8 @@ std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& po
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
     if (i == kNone) continue;
-    for (const std::uint32_t k : nodes_[i].openings) through_opening(k, rays_, receiver, sum);
+    const std::uint32_t rays = rays_each(nodes_[i].openings.size());
+    for (const std::uint32_t k : nodes_[i].openings) through_opening(k, rays, receiver, sum);
     for (const std::uint32_t k : nodes_[i].minor) through_opening(k, kFewRays, receiver, sum);
   }
   from_surfaces(receiver, sum);

@@ -49,6 +49,7 @@ class LocalPass {
   };
   class Sum;
 
+  [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] std::optional<double> exact_factor(const Emitter& emitter, const EmitterView& view,
                                                    const Receiver& receiver) const;

@@ -44,6 +44,8 @@ constexpr std::size_t kFewSurfaces = 5000;
 /// A surface whose lines would make more triangles each has fewer of them: where details or crossings crowd.
 constexpr double kTrianglesPerLine = 100.0;
 constexpr std::size_t kFewPoints = 4500;
+/// Triangles of surfaces without lines, where the solution is small: else two a point.
+constexpr std::size_t kFewTriangles = 12000;
 /// Meshes are judged so often by the light of lamps, and made anew where interpolation misses too much.
 constexpr int kGradings = 2;
 /// Where surfaces without lines have taken the points already, there may be so many times more for grading.
@@ -125,16 +127,46 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
-/// Sides on which an element is less sure than it was asked to be [sides]. Points of curved parts lie on their limit surface, which a mesh of
+/// A side on which an element is less sure than it was asked to be.
+struct UnsureSide {
+  std::size_t side = 0;
+  double weight_m2 = 0.0;     ///< area, times the squared relative error of what is there
+  std::size_t triangles = 0;  ///< about so many in its mesh
+};
+
+/// The sides on which elements are less sure than they were asked to be. Points of curved parts lie on their limit surface, which a mesh of
 /// one facet does not know.
-std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, const ShownOptions& options) {
+std::vector<UnsureSide> unsure_sides(const Solution& solution, const SolutionErrors& errors,
+                                     const ShownOptions& options) {
   const Scene& scene = solution.scene();
-  std::vector<std::uint8_t> found(2 * scene.faces.count(), 0);
+  std::vector<UnsureSide> sides(2 * scene.faces.count());
   for (const ElementId e : solution.elements()) {
     const FaceSide side = solution.tree().face_side(e);
     if (!scene.faces.faces[side.face.index()].facets.empty()) continue;
     const double level = std::max(solution.illuminance_at(e, solution.tree().centroid(e)), options.dark_lux);
-    if (errors.point_error(solution, e) > options.accuracy * level) found[side.index()] = 1;
+    const double error = errors.point_error(solution, e) / level;
+    UnsureSide& found = sides[side.index()];
+    if (error > options.accuracy) found.weight_m2 += error * error * solution.tree().area(e);
+    found.triangles += solution.tree().is_triangle(e) ? 1 : solution.tree().start_triangle_count(e);
+  }
+  for (std::size_t s = 0; s < sides.size(); ++s) sides[s].side = s;
+  std::erase_if(sides, [](const UnsureSide& s) { return s.weight_m2 <= 0.0; });
+  return sides;
+}
+
+/// Those of them that are worth most for their triangles, of which there may be so many [sides].
+std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, const ShownOptions& options,
+                                 std::size_t most_triangles) {
+  std::vector<UnsureSide> sides = unsure_sides(solution, errors, options);
+  std::stable_sort(sides.begin(), sides.end(), [](const UnsureSide& a, const UnsureSide& b) {
+    return a.weight_m2 * static_cast<double>(b.triangles) > b.weight_m2 * static_cast<double>(a.triangles);
+  });
+  std::vector<std::uint8_t> found(2 * solution.scene().faces.count(), 0);
+  std::size_t triangles = 0;
+  for (const UnsureSide& side : sides) {
+    triangles += side.triangles;
+    if (triangles > most_triangles) break;
+    found[side.side] = 1;
   }
   return found;
 }
@@ -220,8 +252,9 @@ ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, con
       static_cast<std::size_t>(kPointsPerElement * static_cast<double>(solution.elements().size()));
   const std::size_t cap = options.most_elements / 2;
   const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), cap);
+  const std::size_t most_triangles = std::max(kFewTriangles, 2 * by_elements);
   mesh_within(most_points, solution, result);
-  mesh_shown(solution, unsure(solution, errors, options), nullptr, result);
+  mesh_shown(solution, unsure(solution, errors, options, most_triangles), nullptr, result);
   if (result.mesh.triangles.size() > options.most_elements) mesh_shown(solution, {}, nullptr, result);
   const std::size_t points = result.mesh.vertices.size();
   const auto more = static_cast<std::size_t>(kGradedShare * static_cast<double>(points));
