@@ -391,9 +391,11 @@ constexpr StudyKey kKeys[] = {
     {.path = "mesh.max_elements",
      .type = kInteger,
      .fallback = "1000000",
-     .meaning =
-         "Most triangles of the surfaces on which shadow lines are kept; beyond it the lightest lines are left out, "
-         "`over_cap` in the summary.",
+     .meaning = "Most elements of the solution, as far as the model has not more surfaces than that: refinement ends "
+                "there, and "
+                "the summary says so (`stopped`, by `elements`). Also the most triangles of the surfaces on which "
+                "shadow lines "
+                "are kept; beyond it the lightest lines are left out, `over_cap` in the summary.",
      .low = 1000.0,
      .high = 1e8},
 

@@ -184,6 +184,8 @@ const char* word_of(lighting::Stop::By by) {
       return "time";
     case lighting::Stop::By::kMemory:
       return "memory";
+    case lighting::Stop::By::kElements:
+      return "elements";
     case lighting::Stop::By::kUser:
       break;
   }

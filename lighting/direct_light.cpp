@@ -2,9 +2,11 @@
 #include "lighting/direct_light.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "lighting/direct_sampler.h"
+#include "lighting/element_limit.h"
 #include "lighting/parallel.h"
 #include "mesh/phase_part.h"
 
@@ -42,10 +44,35 @@ void open(Solution& solution, const DirectSurvey& survey, std::vector<DirectCand
   }
 }
 
+/// Nodes as they were surveyed last.
+struct Surveyed {
+  std::vector<DirectSurvey> nodes;
+  bool out_of_elements = false;
+};
+
+/// Whether each of surveyed nodes is to be opened [surveys], because a line over it will not do; notes where not all of these may be.
+std::vector<std::uint8_t> to_open(Solution& solution, const DirectSampler& sampler, double tolerance_lux,
+                                  std::span<const DirectSurvey> surveys, bool& out_of_elements) {
+  std::vector<std::size_t> coarse;
+  std::vector<ElementId> nodes;
+  std::vector<double> effects;
+  for (std::size_t i = 0; i < surveys.size(); ++i) {
+    const ElementId node = surveys[i].below.node;
+    const double effect = sampler.effect(surveys[i]);
+    if (effect <= tolerance_lux || solution.tree().radius(node) < kSmallest) continue;
+    coarse.push_back(i);
+    nodes.push_back(node);
+    effects.push_back(effect);
+  }
+  if (!open_worthiest(solution, nodes, [&](std::size_t k) { return effects[k]; })) out_of_elements = true;
+  std::vector<std::uint8_t> chosen(surveys.size(), 0);
+  for (std::size_t k = 0; k < coarse.size(); ++k) chosen[coarse[k]] = solution.may_open(nodes[k]) ? 1 : 0;
+  return chosen;
+}
+
 /// Opens nodes until a line over each of them will do, or the run must go on.
-std::vector<DirectSurvey> survey_all(Solution& solution, const DirectSampler& sampler, double tolerance_lux,
-                                     Progress& progress) {
-  std::vector<DirectSurvey> accepted;
+Surveyed survey_all(Solution& solution, const DirectSampler& sampler, double tolerance_lux, Progress& progress) {
+  Surveyed accepted;
   std::vector<DirectCandidate> round = roots_of(solution);
   double surveyed = 0.0;
   double share = 0.0;
@@ -55,12 +82,14 @@ std::vector<DirectSurvey> survey_all(Solution& solution, const DirectSampler& sa
       const std::size_t batch = std::min(kBatch, round.size() - first);
       std::vector<DirectSurvey> surveys(batch);
       parallel_for(batch, [&](std::size_t i) { surveys[i] = sampler.survey(round[first + i]); });
-      const bool enough = progress.should_finish();
-      for (DirectSurvey& survey : surveys) {
-        if (enough || sampler.effect(survey) <= tolerance_lux || solution.tree().radius(survey.below.node) < kSmallest)
-          accepted.push_back(std::move(survey));
+      std::vector<std::uint8_t> chosen(batch, 0);
+      if (!progress.should_finish())
+        chosen = to_open(solution, sampler, tolerance_lux, surveys, accepted.out_of_elements);
+      for (std::size_t i = 0; i < batch; ++i) {
+        if (chosen[i] != 0)
+          open(solution, surveys[i], next);
         else
-          open(solution, survey, next);
+          accepted.nodes.push_back(std::move(surveys[i]));
       }
       surveyed += static_cast<double>(batch);
       const std::size_t waiting = round.size() - first - batch + next.size();
@@ -108,7 +137,9 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   const double tolerance_lux = tolerance * result.scale_lux;
   const DirectSampler sampler(solution, importance, tolerance_lux, seed);
   PhasePart looking(progress, 0.0, kShareOfSurveys);
-  const std::vector<DirectSurvey> accepted = survey_all(solution, sampler, tolerance_lux, looking);
+  const Surveyed surveyed = survey_all(solution, sampler, tolerance_lux, looking);
+  const std::vector<DirectSurvey>& accepted = surveyed.nodes;
+  result.out_of_elements = surveyed.out_of_elements;
   PhasePart measuring(progress, kShareOfSurveys, 1.0);
   const std::vector<DirectMeasurement> measured = measure_all(sampler, accepted, measuring);
   for (std::size_t i = 0; i < accepted.size(); ++i) {

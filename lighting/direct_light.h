@@ -28,10 +28,12 @@ struct DirectLight {
   std::vector<Link> links;
   /// Mean illuminance at the sensors by all light, an estimate [lux]: the scale of tolerances.
   double scale_lux = 0.0;
+  bool out_of_elements = false;  ///< whether nodes stay as they are because the solution may have no more elements
 };
 
 /// Finds what every node receives straight from sky (by itself or through openings) and point sources, and what it sees through
-/// openings. Starts at the roots and opens nodes where a line over the node misses more than tolerance · scale_lux at the sensors.
+/// openings. Starts at the roots and opens nodes where a line over the node misses more than tolerance · scale_lux at the sensors, the
+/// worst first where the solution's limit of elements leaves no room for all.
 DirectLight light_directly(Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed,
                            Progress& progress);
 

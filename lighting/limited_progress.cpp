@@ -77,9 +77,15 @@ bool LimitedProgress::should_finish(double until) const {
   return true;
 }
 
+void LimitedProgress::out_of_elements() {
+  if (!out_of_elements_in_) out_of_elements_in_ = stage_;
+}
+
 std::optional<Stop> LimitedProgress::stopped() const {
-  if (stopped_by_ == kNothing) return std::nullopt;
-  return Stop{static_cast<Stop::By>(stopped_by_.load()), share_of(static_cast<Stage>(stopped_in_.load())).name};
+  if (stopped_by_ != kNothing)
+    return Stop{static_cast<Stop::By>(stopped_by_.load()), share_of(static_cast<Stage>(stopped_in_.load())).name};
+  if (out_of_elements_in_) return Stop{Stop::By::kElements, share_of(*out_of_elements_in_).name};
+  return std::nullopt;
 }
 
 bool LimitedProgress::converged() const {
@@ -117,6 +123,7 @@ void LimitedProgress::give_up() const {
                       "give --max-time more",
                       limits_.time_s, phase_));
     case Stop::By::kMemory:
+    case Stop::By::kElements:
       break;
   }
   const std::string line = fmt::format(

@@ -33,9 +33,12 @@ class LimitedProgress final : public Progress {
   void advance(double fraction) override;
   [[nodiscard]] bool should_finish(double until = 1.0) const override;
 
-  /// What has made a stage end early, the first time.
+  /// The stage could refine no further because there may be no more elements. Serial.
+  void out_of_elements();
+
+  /// What has made a stage end early, the first time; elements, where nothing else has.
   [[nodiscard]] std::optional<Stop> stopped() const;
-  /// Whether nothing has stopped before the solution was found.
+  /// Whether nothing has stopped before the solution was found. One of as many elements as there may be is whole.
   [[nodiscard]] bool converged() const;
 
  private:
@@ -57,6 +60,7 @@ class LimitedProgress final : public Progress {
   mutable std::atomic<std::int64_t> next_look_ns_ = 0;  ///< at the memory
   mutable std::atomic<int> stopped_by_ = kNothing;
   mutable std::atomic<int> stopped_in_ = kNothing;
+  std::optional<Stage> out_of_elements_in_;
 };
 
 }  // namespace clerestory::lighting

@@ -237,6 +237,10 @@ bool Linker::holds(const Link& link) const {
   return strain(link) <= 1.0 && (!link.mutual || strain(reversed(link, solution_.tree())) <= 1.0);
 }
 
+double Linker::worst_strain(const Link& link) const {
+  return link.mutual ? std::max(strain(link), strain(reversed(link, solution_.tree()))) : strain(link);
+}
+
 double Linker::strain(const Link& link) const {
   const double most = tolerance(link.receiver);
   if (link.rough) return share_of(most_light(link.receiver, link.source), most);

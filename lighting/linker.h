@@ -48,6 +48,8 @@ class Linker {
   [[nodiscard]] LinkDecision::Kind split_at_open_ends(const Link& link, double most) const;
   /// Whether a link made at a coarser tolerance, or with less light, still is good enough.
   [[nodiscard]] bool holds(const Link& link) const;
+  /// Error of a link over what is tolerated, at the end where that is more; a link holds up to 1.
+  [[nodiscard]] double worst_strain(const Link& link) const;
   /// How a link that does not hold is refined.
   [[nodiscard]] LinkDecision::Kind split_of(const Link& link) const;
   /// Error of a receiver's illuminance that causes as much at the sensors as one link may [lux].

@@ -12,6 +12,7 @@
 
 #include "lighting/arrivals.h"
 #include "lighting/closure.h"
+#include "lighting/element_limit.h"
 #include "lighting/hemisphere_links.h"
 #include "lighting/linker.h"
 #include "lighting/mirror_links.h"
@@ -83,7 +84,7 @@ class Solver {
     add_errors();
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
-    return {std::move(all_), std::move(clusters_), std::move(errors), iterations_, convergence_};
+    return {std::move(all_), std::move(clusters_), std::move(errors), iterations_, convergence_, out_of_elements_};
   }
 
  private:
@@ -137,26 +138,67 @@ class Solver {
 
   /// Takes links out that no longer hold, and gives what they are refined into.
   std::vector<LinkCandidate> reopen(const Linker& linker) {
+    using Kind = LinkDecision::Kind;
     std::vector<std::uint8_t> good(links_.size());
     parallel_for(
         links_.size(), [&](std::size_t i) { good[i] = linker.holds(links_[i]) ? 1 : 0; }, 256);
+    // Links to clusters follow how bright their members are, which the last pass has changed.
+    const auto is_made_anew = [&](std::size_t i) {
+      return links_[i].source.is_cluster() || (good[i] == 0 && links_[i].rough);
+    };
+    std::vector<Kind> kinds(links_.size(), Kind::kLink);
+    Wishes wishes;
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      if (good[i] != 0 || is_made_anew(i)) continue;
+      kinds[i] = linker.split_of(links_[i]);
+      wish(pair_of(links_[i]), {kinds[i], links_[i]}, wishes);
+    }
+    grant(linker, wishes);
     std::vector<LinkCandidate> candidates;
     std::vector<Link> kept;
     for (std::size_t i = 0; i < links_.size(); ++i) {
-      // Links to clusters follow how bright their members are, which the last pass has changed.
-      if (links_[i].source.is_cluster() || (good[i] == 0 && links_[i].rough)) {
+      if (is_made_anew(i)) {
         candidates.push_back(pair_of(links_[i]));
-        continue;
-      }
-      const auto kind = good[i] != 0 ? LinkDecision::Kind::kLink : linker.split_of(links_[i]);
-      if (kind == LinkDecision::Kind::kLink) {
+      } else if (kinds[i] == Kind::kLink || !may_split(pair_of(links_[i]), kinds[i])) {
         kept.push_back(links_[i]);
       } else {
-        split(pair_of(links_[i]), kind, candidates);
+        split(pair_of(links_[i]), kinds[i], candidates);
       }
     }
     links_ = std::move(kept);
     return candidates;
+  }
+
+  /// Nodes that links are to be refined at and that are not open yet, and these links.
+  struct Wishes {
+    std::vector<ElementId> nodes;
+    std::vector<Link> links;
+  };
+
+  /// The node at which a pair is refined; invalid for a cluster.
+  static ElementId refined_end(const LinkCandidate& pair, LinkDecision::Kind kind) {
+    if (kind == LinkDecision::Kind::kSplitReceiver) return pair.receiver;
+    return pair.source.is_cluster() ? ElementId() : pair.source.element();
+  }
+
+  /// Whether a pair may be refined as the limit of elements is.
+  [[nodiscard]] bool may_split(const LinkCandidate& pair, LinkDecision::Kind kind) const {
+    const ElementId node = refined_end(pair, kind);
+    return !node.valid() || solution_.may_open(node);
+  }
+
+  void wish(const LinkCandidate& pair, const LinkDecision& decision, Wishes& wishes) const {
+    if (decision.kind == LinkDecision::Kind::kLink || decision.kind == LinkDecision::Kind::kNone) return;
+    const ElementId node = refined_end(pair, decision.kind);
+    if (!node.valid() || solution_.is_open(node)) return;
+    wishes.nodes.push_back(node);
+    wishes.links.push_back(decision.link);
+  }
+
+  /// Opens nodes where the limit of elements leaves no room for all: those whose links cause the largest errors at the sensors.
+  void grant(const Linker& linker, const Wishes& wishes) {
+    if (!open_worthiest(solution_, wishes.nodes, [&](std::size_t i) { return linker.worst_strain(wishes.links[i]); }))
+      out_of_elements_ = true;
   }
 
   static LinkCandidate pair_of(const Link& link) { return {link.receiver, link.source, link.visibility, link.mutual}; }
@@ -208,10 +250,16 @@ class Solver {
           decisions[i] = progress_.should_finish() ? linker.settle(candidates[i]) : linker.decide(candidates[i]);
         },
         16);
+    Wishes wishes;
+    for (std::size_t i = 0; i < candidates.size(); ++i) wish(candidates[i], decisions[i], wishes);
+    grant(linker, wishes);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const LinkDecision& d = decisions[i];
-      if (d.kind == LinkDecision::Kind::kLink) links_.push_back(d.link);
-      if (d.kind == LinkDecision::Kind::kLink || d.kind == LinkDecision::Kind::kNone) continue;
+      if (d.kind == LinkDecision::Kind::kNone) continue;
+      if (d.kind == LinkDecision::Kind::kLink || !may_split(candidates[i], d.kind)) {
+        links_.push_back(d.link);
+        continue;
+      }
       LinkCandidate pair = candidates[i];
       pair.visibility = d.link.visibility;
       split(pair, d.kind, next);
@@ -417,6 +465,7 @@ class Solver {
   Clusters clusters_;
   std::size_t iterations_ = 0;
   double convergence_ = 0.0;
+  bool out_of_elements_ = false;
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ struct Transport {
   Clusters clusters;
   SolutionErrors errors;
   std::size_t iterations = 0;
-  double convergence = 0.0;  ///< share of the reflected flux that iterations not made would still change
+  double convergence = 0.0;      ///< share of the reflected flux that iterations not made would still change
+  bool out_of_elements = false;  ///< whether links stay as they are because the solution may have no more elements
 };
 
 struct SolveOptions {
@@ -38,7 +39,8 @@ struct SolveOptions {
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
 /// gathering with push and pull until what is missing is far below the accuracy.
 /// Roots that hardly matter to the sensors look around by rays instead of linking to all that surrounds them.
-/// Where the progress says that it should finish, pairs are linked as they are, and the errors of the solution say so.
+/// Where the progress says that it should finish, or the solution may have no more elements, pairs are linked as they are, and the errors
+/// of the solution say so.
 Transport solve(Solution& solution, const Importance& importance, DirectLight direct, const SolveOptions& options,
                 Progress& progress);
 

@@ -86,9 +86,9 @@ struct SurfaceResult {
   std::vector<std::string> room_names;
 };
 
-/// Why a run has ended before its accuracy was reached, and where.
+/// What has ended a run's refinement in the place of its accuracy, and where.
 struct Stop {
-  enum class By { kTime, kMemory, kUser };
+  enum class By { kTime, kMemory, kUser, kElements };
 
   By by = By::kTime;
   std::string phase;
@@ -144,7 +144,7 @@ struct Results {
   double accuracy_reached = 0.0;  ///< the worst grid's
   bool converged = true;        ///< false where the solution was stopped early: its errors tell what that may have cost
   bool accuracy_met = false;    ///< by every grid, and converged
-  std::optional<Stop> stopped;  ///< by a limit or by the user
+  std::optional<Stop> stopped;  ///< by a limit or by the user; none where it went on until the accuracy was reached
   std::vector<std::string> assumptions;  ///< one sentence each
   std::vector<std::string> notices;  ///< what the user should know: "no opening and no lamp: every value is zero" …
 };

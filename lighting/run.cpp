@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "lighting/dark_share.h"
@@ -39,6 +40,9 @@ namespace {
 constexpr double kDirectShare = 0.002;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
+
+/// Of the elements that may be made, those that direct light may take: light that is reflected needs some too.
+constexpr double kElementsOfDirectLight = 0.5;
 
 /// Of the time of their phases, measured on the validation scenes.
 constexpr double kShareOfStartMesh = 0.8;
@@ -208,6 +212,12 @@ Solution unsolved(const Scene& scene, Progress& progress) {
   return solution;
 }
 
+/// As many elements as there may be after direct light.
+std::size_t for_direct_light(const Solution& solution, std::size_t most) {
+  const auto left = static_cast<double>(most - std::min(most, solution.element_count()));
+  return solution.element_count() + static_cast<std::size_t>(kElementsOfDirectLight * left);
+}
+
 void conclude(const Study& study, const Scene& scene, const LimitedProgress& progress, Results& results) {
   results.rooms = rooms_in_model(scene);
   results.clean = scene.clean_report;
@@ -222,6 +232,9 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
   results.horizontal_illuminance_lux = horizontal_illuminance(study.sky);
   results.accuracy_target = study.accuracy.target;
   results.stopped = progress.stopped();
+  if (results.stopped && results.stopped->by == Stop::By::kElements)
+    results.notices.push_back("refinement ended with " + std::to_string(results.counts.elements) +
+                              " elements: mesh.max_elements allows no more");
   results.converged = progress.converged();
   results.accuracy_met = results.converged;
   for (const GridResult& grid : results.grids) {
@@ -277,13 +290,17 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
   const Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
   const double target = study.accuracy.target;
+  solution.limit_elements(for_direct_light(solution, study.mesh.max_elements));
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
+  if (direct.out_of_elements) progress.out_of_elements();
 
   clock.begin("linking", progress);
   progress.enter(Stage::kLinking);
+  solution.limit_elements(study.mesh.max_elements);
   const std::vector<NodeDirect> given = direct.nodes;
   const Transport transport =
       solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
+  if (transport.out_of_elements) progress.out_of_elements();
 
   clock.begin("gathering", progress);
   progress.enter(Stage::kGathering);

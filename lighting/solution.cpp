@@ -18,7 +18,10 @@ constexpr LinearValue kOpen{1.0F, 0.0F, 0.0F};  ///< nothing is scaled
 
 }  // namespace
 
-Solution::Solution(const Scene& scene, mesh::ElementTree tree) : scene_(&scene), tree_(std::move(tree)) { grow(); }
+Solution::Solution(const Scene& scene, mesh::ElementTree tree)
+    : scene_(&scene), tree_(std::move(tree)), element_count_(tree_.roots().size()) {
+  grow();
+}
 
 void Solution::grow() {
   const std::size_t n = tree_.size();
@@ -44,6 +47,7 @@ void Solution::divide(ElementId e) {
 
 void Solution::open(ElementId e) {
   if (open_[e.index()] != 0) return;
+  element_count_ += gained_by_opening(e);
   open_[e.index()] = 1;
   if (!tree_.has_children(e)) divide(e);
   // Until the next push the children show what their parent did.
@@ -53,6 +57,11 @@ void Solution::open(ElementId e) {
                 radiosity_.begin() + static_cast<std::ptrdiff_t>(child * channels()));
     mean_[child] = mean_[e.index()];
   }
+}
+
+std::size_t Solution::gained_by_opening(ElementId e) const {
+  if (is_open(e)) return 0;
+  return (tree_.has_children(e) ? tree_.child_count(e) : mesh::ElementTree::kPartsOfTriangle) - 1;
 }
 
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {

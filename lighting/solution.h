@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,6 +57,14 @@ class Solution {
   [[nodiscard]] bool is_open(mesh::ElementId e) const { return open_[e.index()] != 0; }
   /// Makes the children of a node take part, splitting it if it has none. Serial.
   void open(mesh::ElementId e);
+  /// The most elements that there should be from here on; no limit at first. open() does as it is told, its callers ask.
+  void limit_elements(std::size_t most) { most_elements_ = most; }
+  /// Elements that there still may be more; 0 where there are too many.
+  [[nodiscard]] std::size_t elements_left() const { return std::max(most_elements_, element_count_) - element_count_; }
+  /// Elements that opening a node makes more.
+  [[nodiscard]] std::size_t gained_by_opening(mesh::ElementId e) const;
+  /// Whether opening a node keeps to the limit.
+  [[nodiscard]] bool may_open(mesh::ElementId e) const { return gained_by_opening(e) <= elements_left(); }
   /// Splits a triangle without making its children take part: they are there to be told apart. Serial.
   void divide(mesh::ElementId e);
 
@@ -62,6 +72,7 @@ class Solution {
   [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const;
   /// The same from a node that was found for the point before, whatever has been split since; invalid from an invalid one.
   [[nodiscard]] mesh::ElementId element_at(mesh::ElementId node, const mesh::Point& point) const;
+  [[nodiscard]] std::size_t element_count() const { return element_count_; }
   /// All elements, in order of their ids.
   [[nodiscard]] std::vector<mesh::ElementId> elements() const;
 
@@ -143,6 +154,8 @@ class Solution {
 
   const Scene* scene_;
   mesh::ElementTree tree_;
+  std::size_t element_count_;
+  std::size_t most_elements_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> open_;
   std::vector<LinearValue> direct_;
   std::vector<LinearValue> gathered_;

@@ -50,7 +50,7 @@ struct Accuracy {
 /// The mesh of the surfaces.
 struct MeshRequest {
   bool discontinuities = true;           ///< lines of discontinuity are edges of what is shown
-  std::size_t max_elements = 1'000'000;  ///< triangles of the surfaces with such lines
+  std::size_t max_elements = 1'000'000;  ///< of the solution; triangles of the surfaces with such lines
 };
 
 /// A study in memory: what io reads, and what run() answers.
@@ -69,7 +69,7 @@ struct Study {
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;
   MeshRequest mesh;
-  bool keep_solution = false;  ///< for sense()
+  bool keep_solution = false;            ///< for sense()
   std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each
 };
 

@@ -281,12 +281,12 @@ void ElementTree::split(ElementId e) {
   assert(is_triangle(e) && !has_children(e));
   const auto c = corners(e);
   const std::array<Point, 3> m{midpoint(c[0], c[1]), midpoint(c[1], c[2]), midpoint(c[2], c[0])};
-  const std::array<std::array<Point, 3>, 4> parts{
+  const std::array<std::array<Point, 3>, kPartsOfTriangle> parts{
       {{c[0], m[0], m[2]}, {m[0], c[1], m[1]}, {m[2], m[1], c[2]}, {m[0], m[1], m[2]}}};
   nodes_[e.index()].first_child = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[e.index()].child_count = 4;
+  nodes_[e.index()].child_count = kPartsOfTriangle;
   const Node above = nodes_[e.index()];
-  for (std::uint32_t k = 0; k < 4; ++k) {
+  for (std::uint32_t k = 0; k < kPartsOfTriangle; ++k) {
     Node child;
     child.parent = e.value;
     child.face_side = above.face_side;

@@ -76,6 +76,7 @@ class ElementTree {
   /// there stay on their side of whatever stands on an edge.
   [[nodiscard]] Point sample(ElementId e, double a, double b) const;
 
+  static constexpr std::size_t kPartsOfTriangle = 4;
   /// Splits a triangle without children into four by its edges' midpoints. Serial.
   void split(ElementId e);
 

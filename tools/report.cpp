@@ -106,9 +106,11 @@ std::string shortfall(const lighting::Results& results) {
   std::string text;
   if (results.stopped)
     text = fmt::format("stopped by {} in the phase '{}': ", io::word_of(results.stopped->by), results.stopped->phase);
-  if (results.accuracy_reached <= results.accuracy_target)
-    return text + fmt::format("{} of {} asked, not converged", percent(results.accuracy_reached),
-                              percent(results.accuracy_target));
+  if (results.accuracy_reached <= results.accuracy_target) {
+    const char* const why = results.converged ? "but more than twice that at too many sensors" : "not converged";
+    return text +
+           fmt::format("{} of {} asked, {}", percent(results.accuracy_reached), percent(results.accuracy_target), why);
+  }
   return text + fmt::format("the accuracy of {} was not reached, only {}", percent(results.accuracy_target),
                             percent(results.accuracy_reached));
 }

@@ -158,6 +158,18 @@ def limit_on_time_ends_with_what_there_is(command):
     expect(summary["status"] == "accuracy-not-reached" and summary["stopped"]["by"] == "time", f"it says {summary}")
 
 
+def elements_that_are_used_up_are_reported(command):
+    budget = ("--set", "mesh.max_elements=1000")
+    err = command.run("daylight", "room.toml", "--quiet", "--accuracy", "0.1%", *budget, status=4, lines=1)
+    expect(err.startswith("error: stopped by elements in the phase"), err)
+    summary = json.loads(command.contents("room-results")["summary.json"])
+    expect(summary["status"] == "accuracy-not-reached" and summary["stopped"]["by"] == "elements", f"it says {summary}")
+    expect(summary["counts"]["elements"] <= 1000, f"it says {summary}")
+    command.run("daylight", "room.toml", "--quiet", *budget)
+    summary = json.loads(command.contents("room-results")["summary.json"])
+    expect(summary["status"] == "done" and summary["stopped"] is None, f"it says {summary}")
+
+
 def limit_met_with_nothing_to_show_leaves_nothing_stale(command):
     command.run("daylight", "room.toml", "--quiet")
     older = command.contents("room-results")

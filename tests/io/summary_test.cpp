@@ -77,6 +77,15 @@ TEST(Summary, SaysWhatHasStoppedARun) {
   EXPECT_EQ(parsed(results)["stopped"]["by"], "interruption");
 }
 
+TEST(Summary, ElementsThatAreUsedUpAreNoFaultWhereTheAccuracyIsMet) {
+  lighting::Results results = small_results();
+  results.stopped = lighting::Stop{lighting::Stop::By::kElements, "direct light"};
+  EXPECT_EQ(parsed(results)["stopped"], json::parse(R"({"by": "elements", "phase": "direct light"})"));
+  EXPECT_EQ(parsed(results)["status"], "done");
+  results.accuracy_met = false;
+  EXPECT_EQ(parsed(results)["status"], "accuracy-not-reached");
+}
+
 TEST(Summary, SaysWhatRanAndHow) {
   const json j = parsed(small_results());
   EXPECT_EQ(j["status"], "done");

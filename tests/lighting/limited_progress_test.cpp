@@ -92,6 +92,24 @@ TEST(LimitedProgress, ASolutionMustLeaveTimeToBeShown) {
   EXPECT_FALSE(progress.converged());
 }
 
+TEST(LimitedProgress, ASolutionOfAsManyElementsAsThereMayBeIsWhole) {
+  User user;
+  LimitedProgress progress(user, {});
+  progress.enter(Stage::kDirectLight);
+  progress.out_of_elements();
+  progress.enter(Stage::kLinking);
+  progress.out_of_elements();
+  ASSERT_TRUE(progress.stopped());
+  EXPECT_EQ(progress.stopped()->by, Stop::By::kElements);
+  EXPECT_EQ(progress.stopped()->phase, "direct light");
+  EXPECT_TRUE(progress.converged());
+  EXPECT_FALSE(progress.should_finish());
+  user.wants_it = true;
+  EXPECT_TRUE(progress.should_finish());
+  EXPECT_EQ(progress.stopped()->by, Stop::By::kUser);  // cut short all the same
+  EXPECT_FALSE(progress.converged());
+}
+
 TEST(LimitedProgress, EachShareOfAPhaseHasItsTime) {
   NoProgress nobody;
   LimitedProgress progress(nobody, limits_after(50.0, 100.0));

@@ -177,6 +177,70 @@ TEST(Run, StoppedInAnyPhaseOfTheLightItGivesWhatItHasWithErrorsThatHold) {
   }
 }
 
+TEST(Run, ABudgetOfElementsEndsRefinementWithErrorsThatHold) {
+  Study study = room_study();
+  study.accuracy.target = 0.01;
+  const Results whole = answer(study);
+  EXPECT_FALSE(whole.stopped);
+  for (const std::size_t budget : {whole.counts.elements / 4, whole.counts.elements / 2}) {
+    study.mesh.max_elements = budget;
+    const Results results = answer(study);
+    ASSERT_TRUE(results.stopped);
+    EXPECT_EQ(results.stopped->by, Stop::By::kElements);
+    EXPECT_TRUE(results.converged);
+    EXPECT_LE(results.counts.elements, budget);
+    EXPECT_GE(results.counts.elements + 3, budget);  // no triangle more could be split
+    EXPECT_THAT(results.notices, Contains(HasSubstr("mesh.max_elements")));
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(results.grids[0].illuminance_lux[i], whole.grids[0].illuminance_lux[i],
+                  2.0 * std::hypot(results.grids[0].error_lux[i], whole.grids[0].error_lux[i]));
+    }
+  }
+}
+
+TEST(Run, ABudgetThatIsNotReachedChangesNothing) {
+  Study study = room_study();
+  const Results whole = answer(study);
+  study.mesh.max_elements = 10 * whole.counts.elements;
+  study.mesh.discontinuities = false;  // lines of shadows have the same budget
+  const Results roomy = answer(study);
+  EXPECT_FALSE(roomy.stopped);
+  EXPECT_EQ(roomy.grids[0].illuminance_lux, whole.grids[0].illuminance_lux);
+  EXPECT_EQ(roomy.grids[0].error_lux, whole.grids[0].error_lux);
+  EXPECT_EQ(roomy.counts.links, whole.counts.links);
+}
+
+TEST(Run, AnAccuracyThatIsMetWithAllElementsUsedUpIsMet) {
+  Study study = room_study();
+  study.mesh.max_elements = answer(study).counts.elements - 1;
+  const Results results = answer(study);
+  ASSERT_TRUE(results.stopped);
+  EXPECT_EQ(results.stopped->by, Stop::By::kElements);
+  EXPECT_TRUE(results.accuracy_met);
+}
+
+TEST(Run, ABudgetBelowTheNumberOfSurfacesLeavesEachWhole) {
+  Study study = room_study();
+  study.mesh.max_elements = 1;
+  const Results results = answer(study);
+  EXPECT_EQ(results.counts.elements, test::Stage(study).solution.tree().roots().size());
+  EXPECT_EQ(results.stopped.value().by, Stop::By::kElements);
+  EXPECT_EQ(results.stopped->phase, "direct light");
+}
+
+TEST(Run, ABudgetOfElementsIsSpentAlikeByAnyNumberOfThreads) {
+  Study study = room_study();
+  study.accuracy.target = 0.02;
+  study.mesh.max_elements = answer(study).counts.elements / 2;
+  set_threads(1);
+  const Results one = answer(study);
+  set_threads(3);
+  const Results three = answer(study);
+  set_threads(0);
+  EXPECT_TRUE(one.stopped);
+  expect_same(one, three);
+}
+
 TEST(Run, StoppedBeforeShadowsAreFoundItShowsSurfacesWithoutThem) {
   Impatient user("shadows");
   const Results results = run(room_study(), user);

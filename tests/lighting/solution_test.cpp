@@ -57,6 +57,22 @@ TEST(Solution, RadiosityIsEmissionAndReflectedIlluminance) {
   EXPECT_FLOAT_EQ(s.solution.radiosity_mean(s.floor), 50.0F);
 }
 
+TEST(Solution, CountsItsElementsAndWhatOpeningMakesOfThem) {
+  SlopingFloor s;
+  s.open_at_random(40);
+  const ElementId triangle = s.floor_elements().back();
+  EXPECT_EQ(s.solution.element_count(), s.solution.elements().size());
+  EXPECT_EQ(s.solution.gained_by_opening(s.floor), 0U);
+  ASSERT_TRUE(s.solution.tree().is_triangle(triangle));
+  EXPECT_EQ(s.solution.gained_by_opening(triangle), 3U);
+  s.solution.limit_elements(s.solution.element_count() + 2);
+  EXPECT_FALSE(s.solution.may_open(triangle));
+  s.solution.limit_elements(s.solution.element_count() + 3);
+  EXPECT_TRUE(s.solution.may_open(triangle));
+  s.solution.open(triangle);
+  EXPECT_EQ(s.solution.elements_left(), 0U);
+}
+
 TEST(Solution, MomentsAreThoseOfTheLine) {
   SlopingFloor s;
   s.solution.push_pull();

@@ -75,6 +75,17 @@ TEST(Report, ARunThatWasStoppedSaysByWhatAndWhere) {
             "stopped by time in the phase 'linking': the accuracy of 2.00 % was not reached, only 4.00 %");
 }
 
+TEST(Report, ARunOutOfElementsHasConverged) {
+  auto results = one_grid();
+  results.stopped = lighting::Stop{lighting::Stop::By::kElements, "linking"};
+  EXPECT_THAT(report_of(results, lighting::Study::Kind::kDaylight),
+              HasSubstr("of 2.00 % asked: reached\nstopped   by elements in the phase 'linking'\n"));
+  results.accuracy_met = false;
+  EXPECT_EQ(shortfall(results),
+            "stopped by elements in the phase 'linking': 1.78 % of 2.00 % asked, but more than twice that at too many "
+            "sensors");
+}
+
 TEST(Report, SaysEachAssumptionAndNoticeOnce) {
   auto results = one_grid();
   results.assumptions = {"units are metres", "units are metres"};

@@ -10,6 +10,8 @@
 
 #include "io/study_file.h"
 #include "tests/support/places.h"
+#include "tests/support/validation_scenes.h"
+#include "tests/validation/statistics.h"
 #include "tests/validation/studies.h"
 
 namespace clerestory::test {
@@ -54,6 +56,41 @@ TEST(SampleOffice, GivesTheNumbersOfItsReadme) {
     EXPECT_NEAR(found.at(name), figure.value, figure.tolerance) << name;
   }
   EXPECT_TRUE(results.accuracy_met);
+}
+
+/// A result as what others are compared with.
+Reference reference_of(const lighting::GridResult& grid) {
+  return {{grid.illuminance_lux.begin(), grid.illuminance_lux.end()}, {grid.error_lux.begin(), grid.error_lux.end()}};
+}
+
+lighting::Results answer_office(double accuracy, std::size_t max_elements) {
+  lighting::Study study =
+      io::read_study(samples_dir() / "office" / "office.toml", {.kind = lighting::Study::Kind::kDaylight, .set = {}})
+          .study;
+  study.accuracy.target = accuracy;
+  study.mesh.discontinuities = false;
+  study.mesh.max_elements = max_elements;
+  return answer(study);
+}
+
+TEST(SampleOffice, WithFewElementsErrorsGrowAndStayHonest) {
+  constexpr std::size_t kMany = 1'000'000;
+  const Reference fine = reference_of(answer_office(0.007, kMany).grids.at(0));
+  const lighting::Results whole = answer_office(0.02, kMany);
+  double last = whole.accuracy_reached;
+  for (const std::size_t budget : {1500U, 1000U}) {
+    ASSERT_LT(budget, whole.counts.elements / 2);
+    const lighting::Results results = answer_office(0.02, budget);
+    const Comparison c = compare(results.grids.at(0), fine);
+    print("office of " + std::to_string(budget) + " elements", c);
+    EXPECT_EQ(results.stopped.value().by, lighting::Stop::By::kElements);
+    EXPECT_LE(results.counts.elements, budget);
+    EXPECT_GT(results.accuracy_reached, last);
+    EXPECT_GE(c.covered, 0.95);
+    EXPECT_LE(c.rms_z, 1.2);
+    last = results.accuracy_reached;
+  }
+  EXPECT_GT(last, 0.02);  // so that status 4 is due
 }
 
 TEST(SampleOffice, NoSkyLineIsWhereHeadAndRoofOppositeAreInLine) {
