@@ -160,14 +160,17 @@ def limit_on_time_ends_with_what_there_is(command):
 
 def elements_that_are_used_up_are_reported(command):
     budget = ("--set", "mesh.max_elements=1000")
-    err = command.run("daylight", "room.toml", "--quiet", "--accuracy", "0.1%", *budget, status=4, lines=1)
+    err = command.run("daylight", "room.toml", "--quiet", "--accuracy", "0.1%", *budget, status=4,
+                      lines=1)
     expect(err.startswith("error: stopped by elements in the phase"), err)
     summary = json.loads(command.contents("room-results")["summary.json"])
     expect(summary["status"] == "accuracy-not-reached" and summary["stopped"]["by"] == "elements", f"it says {summary}")
     expect(summary["counts"]["elements"] <= 1000, f"it says {summary}")
-    command.run("daylight", "room.toml", "--quiet", *budget)
+    command.run("daylight", "room.toml", "--quiet", "--accuracy", "1%", *budget)
     summary = json.loads(command.contents("room-results")["summary.json"])
-    expect(summary["status"] == "done" and summary["stopped"] is None, f"it says {summary}")
+    expect(summary["status"] == "done" and summary["stopped"]["by"] == "elements", f"it says {summary}")
+    command.run("daylight", "room.toml", "--quiet", *budget)
+    expect(json.loads(command.contents("room-results")["summary.json"])["stopped"] is None, "nothing was to be stopped")
 
 
 def limit_met_with_nothing_to_show_leaves_nothing_stale(command):
@@ -243,7 +246,8 @@ def stored_solution_answers_new_grids_and_no_other_study(command):
 
 SCENARIOS = {f.__name__: f for f in (
     clean_on_a_full_disk_leaves_what_was_there, clean_replaces_its_own_files_alone, current_folder_keeps_other_files,
-    file_of_the_user_is_not_overwritten, full_disk_keeps_older_results, full_disk_writes_nothing,
+    elements_that_are_used_up_are_reported, file_of_the_user_is_not_overwritten, full_disk_keeps_older_results,
+    full_disk_writes_nothing,
     interruption_keeps_what_there_is_when_asked, interruption_leaves_the_folder_as_it_was,
     limit_met_with_nothing_to_show_leaves_nothing_stale, limit_on_time_ends_with_what_there_is,
     lines_of_two_gigabytes_are_refused_at_once, memory_that_runs_out_is_an_error_and_leaves_nothing_stale,
