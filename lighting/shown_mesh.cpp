@@ -36,6 +36,8 @@ constexpr double kLineDistanceM = 0.01;
 constexpr double kLinesPerElement = 0.05;
 constexpr double kSurfacesPerElement = 1.0;
 constexpr double kPointsPerElement = 0.75;
+/// Surfaces without lines that are narrower than this are shown by the elements of the solution [m].
+constexpr double kStripM = 0.02;
 /// Sources whose lines are looked for, the strongest.
 constexpr std::size_t kMostSources = 12;
 /// Small scenes may have so many lines, surfaces and points all the same.
@@ -127,6 +129,16 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
+/// Whether a face is a strip, for which triangles with good angles would be as many as they are small.
+bool is_strip(const mesh::Faces& faces, FaceId face) {
+  double perimeter = 0.0;
+  for (const auto& loop : faces.faces[face.index()].loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      perimeter += norm(faces.shape.vertices[loop[(i + 1) % loop.size()]] - faces.shape.vertices[loop[i]]);
+  }
+  return faces.faces[face.index()].area_m2 < 0.5 * kStripM * perimeter;
+}
+
 /// A side on which an element is less sure than it was asked to be.
 struct UnsureSide {
   std::size_t side = 0;
@@ -150,7 +162,9 @@ std::vector<UnsureSide> unsure_sides(const Solution& solution, const SolutionErr
     found.triangles += solution.tree().is_triangle(e) ? 1 : solution.tree().start_triangle_count(e);
   }
   for (std::size_t s = 0; s < sides.size(); ++s) sides[s].side = s;
-  std::erase_if(sides, [](const UnsureSide& s) { return s.weight_m2 <= 0.0; });
+  std::erase_if(sides, [&](const UnsureSide& s) {
+    return s.weight_m2 <= 0.0 || is_strip(scene.faces, mesh::face_side(s.side).face);
+  });
   return sides;
 }
 
