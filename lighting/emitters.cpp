@@ -36,6 +36,13 @@ EmitterView look(const Solution& solution, const Emitter& emitter, const Point& 
   return {factor, solution.scene().shafts->classify(own, emitter.end)};
 }
 
+SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const EmitterView& view, const Point& at,
+                       const Vector& normal) {
+  if (view.visibility == Visibility::kHidden) return {};
+  if (view.visibility == Visibility::kVisible) return {view.factor, true};
+  return seen_factor(*solution.scene().shafts, at, normal, solution.tree().triangles(emitter.root), emitter.end.normal);
+}
+
 EmitterSample sample(const Solution& solution, const Emitter& emitter, const Point& at, const Vector& normal, double a,
                      double b) {
   const Point q = solution.tree().sample(emitter.root, a, b);

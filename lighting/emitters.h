@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lighting/seen_factor.h"
 #include "lighting/solution.h"
 #include "mesh/ids.h"
 #include "mesh/shafts.h"
@@ -25,6 +26,10 @@ struct EmitterView {
   mesh::Visibility visibility = mesh::Visibility::kHidden;
 };
 EmitterView look(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const mesh::Vector& normal);
+
+/// What the point sees of an emitter, given the view of it: by clipping, where that proves neither that all of it is seen nor that none is.
+SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const EmitterView& view, const mesh::Point& at,
+                       const mesh::Vector& normal);
 
 /// A ray from a point to one place on an emitter: the kernel of the form factor there [1/m²], and the share of it that arrives.
 struct EmitterSample {

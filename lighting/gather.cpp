@@ -15,6 +15,7 @@
 #include "lighting/point_light.h"
 #include "lighting/replicates.h"
 #include "lighting/sampling.h"
+#include "lighting/seen_factor.h"
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
 
@@ -42,7 +43,8 @@ constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;
 constexpr std::uint32_t kMostClearRays = 256;
-constexpr std::uint32_t kMostDarkRays = 256;  ///< a replicate, until half of them have met light
+/// A replicate, until half of them have met light; of an opening or an emitter, until any has.
+constexpr std::uint32_t kMostDarkRays = 256;
 
 /// Of the time, for the first rays of all sensors; measured on the validation scenes.
 constexpr double kShareOfBeginnings = 0.3;
@@ -60,6 +62,7 @@ struct Part {
   std::uint32_t which = 0;  ///< opening or emitter
   bool clear = false;       ///< nothing stands between the sensor and the opening
   double full_lux = 0.0;    ///< of an emitter, if all of it were seen
+  double most_lux = 0.0;    ///< of an emitter or a dark opening, if all were seen that is not proven hidden
   std::uint32_t rays = 0;   ///< a replicate
   Replicates sums{};
   Replicates norms{};  ///< what the sums are shares of
@@ -70,8 +73,13 @@ struct Part {
     return mean_of_replicates(values);
   }
   [[nodiscard]] double mean() const { return estimate().mean; }
-  /// Of the mean.
-  [[nodiscard]] double variance() const { return estimate().variance; }
+  /// Of the mean. Where n rays have all missed, up to 3/n of what they were sent to may be seen (with 95 % confidence [Hanley, Lippman-Hand
+  /// 1983]): a standard error of 1/n, since none is no proof of nothing.
+  [[nodiscard]] double variance() const {
+    if (lit() > 0) return estimate().variance;
+    const double missed = most_lux / (static_cast<double>(kReplicates) * rays);
+    return missed * missed;
+  }
   /// Replicates that have met light.
   [[nodiscard]] std::size_t lit() const {
     return static_cast<std::size_t>(std::count_if(sums.begin(), sums.end(), [](double s) { return s > 0.0; }));
@@ -159,17 +167,7 @@ class Gatherer {
     const std::uint32_t rays = roughly ? 1 : first_rays_;
     for (std::uint32_t k = 0; k < emitters_.size(); ++k) see_emitter(k, rays, sensor, at, normal, state);
     state.exact_lux += point_source_illuminance(scene(), at, normal);
-    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) {
-      if (!faces_opening(scene().openings[k], at, normal)) continue;
-      Part part;
-      part.kind = Part::Kind::kOpening;
-      part.which = k;
-      extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
-      if (part.mean() <= 0.0) continue;
-      part.clear = scene().shafts->classify(mesh::ShaftEnd{.corners = {at}, .count = 1, .normal = {}},
-                                            opening_ends_[k]) == Visibility::kVisible;
-      state.parts.push_back(part);
-    }
+    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, normal, state);
     Part hemisphere;
     ErrorSums wrong{};
     extend(hemisphere, rays, sensor, at, normal, &wrong);
@@ -198,7 +196,7 @@ class Gatherer {
       double most = 0.0;
       for (Part& p : state.parts) {
         const double gain = p.variance() / p.rays;
-        if (p.rays < kMostRays && gain > most) {
+        if (p.rays < (p.lit() > 0 ? kMostRays : kMostDarkRays) && gain > most) {
           most = gain;
           best = &p;
         }
@@ -284,18 +282,45 @@ class Gatherer {
                    SensorState& state) const {
     const Emitter& emitter = emitters_[k];
     const EmitterView view = look(solution_, emitter, at, normal);
-    if (view.visibility == Visibility::kHidden) return;
-    const double full_lux = emitter.exitance * view.factor;
-    if (view.visibility == Visibility::kVisible) {
-      state.exact_lux += full_lux;
+    const SeenFactor seen = seen_factor(solution_, emitter, view, at, normal);
+    if (seen.exact) {
+      state.exact_lux += emitter.exitance * seen.factor;
       return;
     }
     Part part;
     part.kind = Part::Kind::kEmitter;
     part.which = k;
-    part.full_lux = full_lux;
+    part.full_lux = emitter.exitance * view.factor;
+    part.most_lux = emitter.exitance * seen.factor;
     extend(part, std::max(8U, rays), sensor, at, normal, nullptr);
-    if (part.mean() > 0.0) state.parts.push_back(part);
+    state.parts.push_back(part);
+  }
+
+  void see_opening(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
+                   SensorState& state) const {
+    const Opening& opening = scene().openings[k];
+    if (!faces_opening(opening, at, normal)) return;
+    const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+    const Visibility visibility = scene().shafts->classify(eye, opening_ends_[k]);
+    if (visibility == Visibility::kHidden) return;
+    Part part;
+    part.kind = Part::Kind::kOpening;
+    part.which = k;
+    part.clear = visibility == Visibility::kVisible;
+    extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
+    if (part.lit() == 0) part.most_lux = most_through(opening, at, normal);
+    if (part.lit() > 0 || part.most_lux > 0.0) state.parts.push_back(part);
+  }
+
+  /// What an opening gives if all of it that is not proven hidden shows the sky, or the ground below [lux].
+  [[nodiscard]] double most_through(const Opening& opening, const Point& at, const Vector& normal) const {
+    double lux = 0.0;
+    for (const auto& t : opening.triangles) {
+      const SeenFactor seen = seen_factor(*scene().shafts, at, normal, {&t, 1}, -opening.outward);
+      const Vector towards = normalized((t[0] - at) + (t[1] - at) + (t[2] - at));
+      lux += seen.factor * std::numbers::pi * sky_luminance(scene().sky, towards);
+    }
+    return lux;
   }
 
   /// What the solution's errors make at a sensor, by what so many rays have met.

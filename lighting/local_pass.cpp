@@ -9,18 +9,15 @@
 #include <numbers>
 #include <utility>
 
-#include "lighting/form_factor.h"
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/point_light.h"
-#include "mesh/seen_parts.h"
 
 namespace clerestory::lighting {
 
 using mesh::ElementId;
 using mesh::Point;
 using mesh::Vector;
-using mesh::Visibility;
 
 namespace {
 
@@ -30,8 +27,6 @@ constexpr std::uint64_t kSeed = 0x57A1;
 constexpr double kSourceRays = 0.64;
 /// Towards openings that hardly matter.
 constexpr std::uint32_t kFewRays = 8;
-/// Where more stand before a lamp, rays are quicker than clipping.
-constexpr std::size_t kMostBlockers = 48;
 /// Rays into the hemisphere: so many at least, and doubled up to so many, times the accuracy: 128 at 2 %.
 constexpr std::uint32_t kLeastRays = 32;
 constexpr double kMostRays = 2.56;
@@ -111,9 +106,11 @@ class LocalPass::Sum {
     for (const double e : each_) sum += e / static_cast<double>(each_.size());
     return sum;
   }
-  void end() {
-    for (std::size_t c = 0; c < lux_.size(); ++c) lux_[c] += part_[c] / static_cast<double>(each_.size());
-    variance_ += part_variance();
+  /// @param full_lux  if all that the rays were sent to were seen: of n rays that all miss it, each may stand for what they have missed
+  void end(double full_lux = 0.0) {
+    const auto rays = static_cast<double>(each_.size());
+    for (std::size_t c = 0; c < lux_.size(); ++c) lux_[c] += part_[c] / rays;
+    variance_ += part_lux() > 0.0 ? part_variance() : full_lux * full_lux / (rays * rays);
     for (const double w : wrong_) {
       const double mean = wrong_rays_ > 0 ? w / static_cast<double>(wrong_rays_) : 0.0;
       variance_ += mean * mean / static_cast<double>(wrong_.size());
@@ -191,10 +188,9 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
   double lux = point_source_illuminance(solution_.scene(), receiver.from, normal);
   for (const Emitter& emitter : emitters_) {
     const EmitterView view = look(solution_, emitter, receiver.from, normal);
-    if (view.visibility == Visibility::kHidden) continue;
-    const auto factor = exact_factor(emitter, view, receiver);
-    if (!factor) return std::nullopt;
-    lux += emitter.exitance * *factor;
+    const SeenFactor seen = seen_factor(solution_, emitter, view, receiver.from, normal);
+    if (!seen.exact) return std::nullopt;
+    lux += emitter.exitance * seen.factor;
   }
   return lux;
 }
@@ -202,10 +198,10 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
 /// Where it is neither hidden nor wholly seen, the share that is seen, each place weighed by what it gives.
 void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const {
   const EmitterView view = look(solution_, emitter, receiver.from, receiver.normal);
-  if (view.visibility == Visibility::kHidden) return;
+  const SeenFactor seen = seen_factor(solution_, emitter, view, receiver.from, receiver.normal);
   const auto exitance = solution_.scene().side_exitance(solution_.tree().face_side(emitter.root));
-  if (const auto factor = exact_factor(emitter, view, receiver)) {
-    sum.add(exitance, *factor);
+  if (seen.exact) {
+    sum.add(exitance, seen.factor);
     return;
   }
   std::vector<EmitterSample> samples(rays_);
@@ -221,31 +217,7 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
     for (std::size_t c = 0; c < exitance.size(); ++c)
       sum.meet(c, view.factor * exitance[c] * s.kernel * s.passed / all);
   }
-  sum.end();
-}
-
-/// The form factor of what is seen of a surface that is not hidden; nothing where that is known by rays alone.
-std::optional<double> LocalPass::exact_factor(const Emitter& emitter, const EmitterView& view,
-                                              const Receiver& receiver) const {
-  return view.visibility == Visibility::kVisible ? view.factor : seen_factor(emitter, receiver);
-}
-
-/// The form factor of what is seen of a surface, triangle by triangle; nothing where panes or a crowd stand before it.
-std::optional<double> LocalPass::seen_factor(const Emitter& emitter, const Receiver& receiver) const {
-  std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
-  double factor = 0.0;
-  for (const std::array<Point, 3>& triangle : solution_.tree().triangles(emitter.root)) {
-    const mesh::ShaftEnd eye{.corners = {receiver.from}, .count = 1, .normal = {}};
-    const mesh::ShaftEnd lamp{
-        .corners = {triangle[0], triangle[1], triangle[2]}, .count = triangle.size(), .normal = emitter.end.normal};
-    const auto blockers = solution_.scene().shafts->blockers(eye, lamp, kMostBlockers);
-    if (!blockers) return std::nullopt;
-    const auto parts = mesh::seen_parts(receiver.from, triangle, *blockers);
-    if (!parts) return std::nullopt;
-    for (const mesh::ConvexPiece& part : *parts)
-      factor += point_form_factor(receiver.from, receiver.normal, part.outline(scratch), emitter.end.normal);
-  }
-  return factor;
+  sum.end(emitter.exitance * seen.factor);
 }
 
 void LocalPass::through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const {

@@ -51,9 +51,6 @@ class LocalPass {
 
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
-  [[nodiscard]] std::optional<double> exact_factor(const Emitter& emitter, const EmitterView& view,
-                                                   const Receiver& receiver) const;
-  [[nodiscard]] std::optional<double> seen_factor(const Emitter& emitter, const Receiver& receiver) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 

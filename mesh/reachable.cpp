@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
 #include "mesh/regions.h"
+#include "mesh/side_shells.h"
 
 namespace clerestory::mesh {
 
@@ -17,6 +19,10 @@ namespace {
 /// Rays that a region's side sends out at first, and once more when they are not decisive.
 constexpr std::uint32_t kRays = 64;
 constexpr std::uint32_t kMoreRays = 256;
+/// Sides that bound a space of which other sides are reached lie behind a slit, perhaps: they are asked on, up to so many rays a side, and
+/// rays of them all.
+constexpr std::uint32_t kMostRays = 4096;
+constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 20U;
 /// So many exchanged rays make a side reached: 3 % of kRays, and never one alone.
 constexpr std::uint32_t kNeeded = 2;
 /// Rays of all point sources together, and of each at least.
@@ -79,6 +85,7 @@ class Search {
       cast(doubtful, kRays, kMoreRays, few);
       settle();
     }
+    search_behind_slits(nodes);
   }
 
  private:
@@ -93,6 +100,29 @@ class Search {
   }
   void reach(Node node) {
     if (std::exchange(reached_[node], std::uint8_t{1}) == 0) fresh_.push_back(node);
+  }
+  /// Rays from sides that are not reached though they share a shell with some that are, twice as many from round to round.
+  void search_behind_slits(const std::vector<Node>& nodes) {
+    const std::vector<Node> shells = side_shells(faces_, regions_);
+    std::size_t left = kMostRaysOfAll;
+    for (std::uint32_t sent = kMoreRays; sent < kMostRays; sent *= 2) {
+      const std::vector<Node> open = beside_reached(nodes, shells);
+      if (open.empty() || open.size() * sent > left) return;
+      left -= open.size() * sent;
+      NoProgress untold;
+      PhasePart few(untold, 0.0, 1.0);
+      cast(open, sent, 2 * sent, few);
+      settle();
+    }
+  }
+  [[nodiscard]] std::vector<Node> beside_reached(const std::vector<Node>& nodes,
+                                                 const std::vector<Node>& shells) const {
+    std::vector<std::uint8_t> has_reached(shells.size(), 0);
+    for (Node n = 0; n < reached_.size(); ++n) has_reached[shells[n]] |= reached_[n];
+    std::vector<Node> found;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(found),
+                 [&](Node n) { return reached_[n] == 0 && has_reached[shells[n]] != 0 && !thin_[n / 2]; });
+    return found;
   }
   void count_for_sender(Path& path) {
     if (path.from != kNobody && !std::exchange(path.counted, true)) credit(path.from);

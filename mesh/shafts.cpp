@@ -237,20 +237,18 @@ Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
   return seen;
 }
 
-std::optional<std::vector<std::span<const Point>>> Shafts::blockers(const ShaftEnd& a, const ShaftEnd& b,
-                                                                    std::size_t most) const {
-  std::vector<std::span<const Point>> found;
-  bool all = true;
+Shafts::Blockers Shafts::blockers(const ShaftEnd& a, const ShaftEnd& b, std::size_t most) const {
+  Blockers found;
   visit(Shaft(a, b), [&](const Piece& piece) {
     const auto& outline = convex_outline_[piece.face];
     const std::span<const Point> polygon = outline.empty() ? std::span<const Point>(piece.corners) : outline;
     const auto same = [&](std::span<const Point> other) { return other.data() == polygon.data(); };
-    if (std::any_of(found.begin(), found.end(), same)) return true;
-    all = !piece.passable && found.size() < most;
-    if (all) found.push_back(polygon);
-    return all;
+    if (std::any_of(found.polygons.begin(), found.polygons.end(), same)) return true;
+    const bool wanted = !piece.passable && found.polygons.size() < most;
+    found.all = found.all && wanted;
+    if (wanted) found.polygons.push_back(polygon);
+    return found.polygons.size() < most || found.all;
   });
-  if (!all) return std::nullopt;
   return found;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,12 +31,15 @@ class Shafts {
 
   [[nodiscard]] Visibility classify(const ShaftEnd& a, const ShaftEnd& b) const;
 
-  /// The opaque faces that reach into the hull of both ends, as convex polygons that may reach out of it: faces whose outline is convex, of
-  /// others the triangles that do. The spans are of the shafts.
+  /// What stands between two ends.
+  struct Blockers {
+    /// Opaque faces that reach into the hull of both ends, as convex polygons that may reach out of it: faces whose outline is convex, of
+    /// others the triangles that do. The spans are of the shafts.
+    std::vector<std::span<const Point>> polygons;
+    bool all = true;  ///< false: there are more of them, or a passable face reaches in too
+  };
   /// @param most  polygons that are wanted
-  /// @return nothing where there are more, or where a passable face reaches in
-  [[nodiscard]] std::optional<std::vector<std::span<const Point>>> blockers(const ShaftEnd& a, const ShaftEnd& b,
-                                                                            std::size_t most) const;
+  [[nodiscard]] Blockers blockers(const ShaftEnd& a, const ShaftEnd& b, std::size_t most) const;
 
  private:
   struct Node {

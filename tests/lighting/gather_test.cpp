@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/blocked_lamp.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -161,6 +165,95 @@ TEST(Gather, OpeningIsSeenOnceThroughAirAndThroughGlass) {
       EXPECT_GT(e.illuminance_lux[0], 0.67 * 10'000.0 * factor);
     } else {
       EXPECT_NEAR(e.illuminance_lux[0], 10'000.0 * factor, 5.0);
+    }
+  }
+}
+
+/// A black room of 6 m × 4 m × 3 m whose ceiling gives 10,000 lm/m², and a sheet at 1.5 m over all of it but for a slit along x.
+struct SlitRoom {
+  std::vector<Point> ceiling{{0, 0, 3}, {6, 0, 3}, {6, 4, 3}, {0, 4, 3}};
+  std::vector<std::vector<Point>> sheet;
+  mesh::Model model = support::box_room(6, 4, 3);
+  std::vector<Point> points;
+  std::vector<Vector> normals;
+
+  explicit SlitRoom(double width_m) {
+    for (const auto& [low, high] : {std::array{0.0, 2.0}, std::array{2.0 + width_m, 4.0}}) {
+      sheet.push_back({{0, low, 1.5}, {6, low, 1.5}, {6, high, 1.5}, {0, high, 1.5}});
+      support::add_polygon(model, sheet.back(), {"sheet", "sheet"});
+    }
+    for (const double y : {0.6, 1.1, 1.7, 2.0, 2.3, 3.3}) {
+      points.push_back({2.2, y, 0.3});
+      normals.push_back({0, 0, 1});
+    }
+  }
+  [[nodiscard]] Study lit_by_ceiling() const {
+    Study study = test::study_of(model, 0.0, {3, 2, 0.5});
+    test::shine(test::material(study, "ceiling"), 10'000.0);
+    return study;
+  }
+  [[nodiscard]] double exact(std::size_t sensor) const {
+    return support::exact_illuminance({.lamp = ceiling, .exitance_lm_m2 = 10'000.0, .blockers = sheet}, points[sensor],
+                                      normals[sensor]);
+  }
+};
+
+TEST(Gather, LampThroughASlitIsExact) {
+  for (const double width_m : {0.05, 0.01}) {
+    const SlitRoom room(width_m);
+    const Gathered e = gathered(test::Solved(room.lit_by_ceiling()), room.points, room.normals);
+    for (std::size_t i = 0; i < room.points.size(); ++i) {
+      ASSERT_GT(room.exact(i), 1.0);
+      EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 1e-3 * room.exact(i)) << width_m << ' ' << i;
+    }
+  }
+}
+
+TEST(Gather, LampThroughASlitBehindAnAirPolygonIsFoundByRays) {
+  for (const double width_m : {0.05, 0.01}) {
+    SlitRoom room(width_m);
+    support::add_quad(room.model, {0, 0, 2}, {6, 0, 2}, {6, 4, 2}, {0, 4, 2}, {"air", "air"});
+    Study study = room.lit_by_ceiling();
+    test::leave_open(test::material(study, "air"));
+    const Gathered e = gathered(test::Solved(study), room.points, room.normals);
+    for (std::size_t i = 0; i < room.points.size(); ++i) {
+      EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 0.05 * room.exact(i)) << width_m << ' ' << i;
+      EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 3.0 * e.error_lux[i]) << width_m << ' ' << i;
+    }
+  }
+}
+
+TEST(Gather, SkyThroughASlitIsFoundByRays) {
+  for (const double width_m : {0.05, 0.01}) {
+    const SlitRoom room(width_m);
+    Study study = test::study_of(room.model, 0.0, {3, 2, 0.5});
+    study.sky.type = Sky::Type::kUniform;
+    test::leave_open(test::material(study, "ceiling"));
+    const Gathered e = gathered(test::Solved(study), room.points, room.normals);
+    for (std::size_t i = 0; i < room.points.size(); ++i) {
+      EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 0.05 * room.exact(i)) << width_m << ' ' << i;
+      EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 3.0 * e.error_lux[i]) << width_m << ' ' << i;
+    }
+  }
+}
+
+TEST(Gather, BehindACrowdRaysThatAllMissLeaveAnErrorBehindASheetNone) {
+  for (const std::size_t strips : {std::size_t{1}, std::size_t{100}}) {
+    mesh::Model model = support::box_room(6, 4, 3);
+    for (std::size_t i = 0; i < strips; ++i) {
+      const auto y = [&](std::size_t k) { return 4.0 * static_cast<double>(k) / static_cast<double>(strips); };
+      support::add_quad(model, {0, y(i), 1.5}, {6, y(i), 1.5}, {6, y(i + 1), 1.5}, {0, y(i + 1), 1.5},
+                        {"sheet", "sheet" + std::to_string(i)});
+    }
+    Study study = test::study_of(std::move(model), 0.0, {3, 2, 0.5});
+    test::shine(test::material(study, "ceiling"), 10'000.0);
+    const Gathered e = gathered(test::Solved(study), {{3, 2, 0.5}}, {{0, 0, 1}});
+    EXPECT_EQ(e.illuminance_lux[0], 0.0F);
+    if (strips == 1) {
+      EXPECT_EQ(e.error_lux[0], 0.0F);
+    } else {
+      EXPECT_GT(e.error_lux[0], 0.0F);
+      EXPECT_LT(e.error_lux[0], 10'000.0F / 500.0F);
     }
   }
 }

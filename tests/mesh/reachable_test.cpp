@@ -179,5 +179,41 @@ TEST(Reachable, GlassLetsTheOutsideIn) {
   EXPECT_FALSE(all_reached(Rays(faces)));
 }
 
+/// Two rooms of faces of their own, named "lit" and "dark", with a lamp in the one, and a wall between them that ends above the floors.
+Model rooms_joined_by_a_slit(double width_m) {
+  Model model;
+  const auto room = [&](double from, double to, const char* name) {
+    const support::Names names{name, name};
+    for (const double z : {0.0, 3.0})
+      support::add_quad(model, {from, 0, z}, {to, 0, z}, {to, 4, z}, {from, 4, z}, names);
+    for (const double y : {0.0, 4.0})
+      support::add_quad(model, {from, y, 0}, {to, y, 0}, {to, y, 3}, {from, y, 3}, names);
+  };
+  room(0, 3, "lit");
+  room(3, 6, "dark");
+  for (const double x : {0.0, 6.0}) support::add_quad(model, {x, 0, 0}, {x, 4, 0}, {x, 4, 3}, {x, 0, 3});
+  support::add_quad(model, {3, 0, width_m}, {3, 4, width_m}, {3, 4, 3}, {3, 0, 3});
+  support::add_quad(model, {1, 1.5, 2.9}, {1, 2, 2.9}, {1.5, 2, 2.9}, {1.5, 1.5, 2.9}, {"lamp", "lamp"});
+  return model;
+}
+
+TEST(Reachable, AFloorOfItsOwnBehindASlitIsReached) {
+  for (const double width_m : {0.05, 0.01}) {
+    CleanOptions options;
+    options.gap_m = 0.0;
+    const Faces faces = build_faces(clean(rooms_joined_by_a_slit(width_m), options));
+    std::vector<std::uint8_t> seeds(2 * faces.count(), 0);
+    for (std::size_t f = 0; f < faces.count(); ++f) {
+      if (faces.material_names[faces.faces[f].material.index()] == "lamp") seeds[2 * f] = 1;
+    }
+    const auto sides = reachable_sides(faces, Rays(faces), seeds, {});
+    const auto inwards = [](const Face& face, const Vector& normal) {
+      return dot(normal, Point{} - face.origin) > 0.0;
+    };
+    EXPECT_EQ(found(faces, sides, "lit", inwards), Found::kAll) << width_m;
+    EXPECT_EQ(found(faces, sides, "dark", inwards), Found::kAll) << width_m;
+  }
+}
+
 }  // namespace
 }  // namespace clerestory::mesh

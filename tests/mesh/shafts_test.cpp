@@ -154,11 +154,13 @@ TEST(Shafts, BlockersAreWholeConvexFacesUnlessPanesOrTooMany) {
     for (std::size_t i = 0; i < e->count; ++i) e->corners[i] = e->corners[i] - site.faces.origin;
   }
   const auto blockers = site.shafts.blockers(lower, upper, 1);
-  ASSERT_TRUE(blockers);
-  ASSERT_EQ(blockers->size(), 1U);
-  EXPECT_EQ(blockers->front().size(), 4U);
-  EXPECT_FALSE(site.shafts.blockers(lower, upper, 0));
-  EXPECT_FALSE(Site(model, "plate").shafts.blockers(lower, upper, 1));
+  EXPECT_TRUE(blockers.all);
+  ASSERT_EQ(blockers.polygons.size(), 1U);
+  EXPECT_EQ(blockers.polygons.front().size(), 4U);
+  EXPECT_FALSE(site.shafts.blockers(lower, upper, 0).all);
+  const Site paned(model, "plate");
+  EXPECT_FALSE(paned.shafts.blockers(lower, upper, 1).all);
+  EXPECT_TRUE(paned.shafts.blockers(lower, upper, 1).polygons.empty());
 }
 
 TEST(Shafts, NoFacesHideNothing) {
