@@ -40,7 +40,13 @@ SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const E
                        const Vector& normal) {
   if (view.visibility == Visibility::kHidden) return {};
   if (view.visibility == Visibility::kVisible) return {view.factor, true};
-  return seen_factor(*solution.scene().shafts, at, normal, solution.tree().triangles(emitter.root), emitter.end.normal);
+  SeenFactor sum;
+  for (const std::array<Point, 3>& t : solution.tree().triangles(emitter.root)) {
+    const mesh::ShaftEnd triangle{.corners = {t[0], t[1], t[2]}, .count = t.size(), .normal = emitter.end.normal};
+    const SeenFactor seen = seen_factor(*solution.scene().shafts, at, normal, triangle);
+    sum = {sum.factor + seen.factor, sum.exact && seen.exact};
+  }
+  return sum;
 }
 
 EmitterSample sample(const Solution& solution, const Emitter& emitter, const Point& at, const Vector& normal, double a,

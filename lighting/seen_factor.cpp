@@ -2,6 +2,10 @@
 #include "lighting/seen_factor.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "lighting/form_factor.h"
 #include "mesh/seen_parts.h"
@@ -16,24 +20,36 @@ namespace {
 /// Where more stand before a polygon, rays are quicker than clipping.
 constexpr std::size_t kMostBlockers = 48;
 
+/// Large ones leave little to be clipped by others.
+void largest_first(std::vector<std::span<const Point>>& polygons) {
+  std::vector<std::pair<double, std::span<const Point>>> by_area;
+  by_area.reserve(polygons.size());
+  for (const auto& polygon : polygons) {
+    Vector doubled;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      doubled = doubled + cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    by_area.emplace_back(norm(doubled), polygon);
+  }
+  std::stable_sort(by_area.begin(), by_area.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t i = 0; i < polygons.size(); ++i) polygons[i] = by_area[i].second;
+}
+
 }  // namespace
 
 SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Vector& normal,
-                       std::span<const std::array<Point, 3>> triangles, const Vector& triangles_normal) {
-  std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
+                       const mesh::ShaftEnd& polygon) {
+  const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+  mesh::Shafts::Blockers blockers = shafts.blockers(eye, polygon, kMostBlockers);
+  largest_first(blockers.polygons);
+  const std::span<const Point> corners(polygon.corners.data(), polygon.count);
+  auto parts = mesh::seen_parts(at, corners, blockers.polygons);
   SeenFactor seen;
-  for (const std::array<Point, 3>& triangle : triangles) {
-    const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
-    const mesh::ShaftEnd far{
-        .corners = {triangle[0], triangle[1], triangle[2]}, .count = triangle.size(), .normal = triangles_normal};
-    const mesh::Shafts::Blockers blockers = shafts.blockers(eye, far, kMostBlockers);
-    auto parts = mesh::seen_parts(at, triangle, blockers.polygons);
-    seen.exact = seen.exact && blockers.all && parts;
-    // Too many pieces: nothing is known of what is hidden.
-    if (!parts) parts = mesh::seen_parts(at, triangle, {});
-    for (const mesh::ConvexPiece& part : *parts)
-      seen.factor += std::max(0.0, point_form_factor(at, normal, part.outline(scratch), triangles_normal));
-  }
+  seen.exact = blockers.all && parts;
+  // Too many pieces: nothing is known of what is hidden.
+  if (!parts) parts = mesh::seen_parts(at, corners, {});
+  std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
+  for (const mesh::ConvexPiece& part : *parts)
+    seen.factor += std::max(0.0, point_form_factor(at, normal, part.outline(scratch), polygon.normal));
   // What rounding leaves between blockers that share an edge is no sight.
   if (seen.factor <= kLeastFactor) return {};
   return seen;

@@ -22,7 +22,7 @@ constexpr std::uint32_t kMoreRays = 256;
 /// Sides that bound a space of which other sides are reached lie behind a slit, perhaps: they are asked on, up to so many rays a side, and
 /// rays of them all.
 constexpr std::uint32_t kMostRays = 4096;
-constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 20U;
+constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 19U;
 /// So many exchanged rays make a side reached: 3 % of kRays, and never one alone.
 constexpr std::uint32_t kNeeded = 2;
 /// Rays of all point sources together, and of each at least.

@@ -125,10 +125,10 @@ std::span<const OutlineEdge> ConvexPiece::outline(std::array<OutlineEdge, kMostC
   return std::span(scratch).first(count);
 }
 
-std::optional<std::vector<ConvexPiece>> seen_parts(const Point& from, const std::array<Point, 3>& triangle,
+std::optional<std::vector<ConvexPiece>> seen_parts(const Point& from, std::span<const Point> polygon,
                                                    std::span<const std::span<const Point>> blockers) {
   ConvexPiece whole;
-  for (const Point& p : triangle) whole.corners[whole.count++] = p;
+  for (const Point& p : polygon) whole.corners[whole.count++] = p;
   std::vector<ConvexPiece> pieces{whole};
   std::vector<HalfSpace> shadow;
   std::size_t trials = 0;

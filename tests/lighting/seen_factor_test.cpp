@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,9 +20,6 @@ using mesh::Vector;
 
 const Vector kUp{0, 0, 1};
 const std::vector<Point> kLamp{{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}};  // shines down
-const std::array<std::array<Point, 3>, 2> kTriangles{std::array<Point, 3>{kLamp[0], kLamp[1], kLamp[2]},
-                                                     std::array<Point, 3>{kLamp[0], kLamp[2], kLamp[3]}};
-
 /// Plates under the lamp, those of the material "pane" passable.
 struct Site {
   explicit Site(const mesh::Model& model) : faces(mesh::build_faces(mesh::clean(model, {}))) {
@@ -32,10 +28,9 @@ struct Site {
       passable[f] = faces.material_names[faces.faces[f].material.index()] == "pane" ? 1 : 0;
   }
   [[nodiscard]] SeenFactor seen(const Point& from) const {
-    std::array<std::array<Point, 3>, 2> triangles = kTriangles;
-    for (auto& t : triangles)
-      for (Point& p : t) p = p - faces.origin;
-    return seen_factor(mesh::Shafts(faces, passable), from - faces.origin, kUp, triangles, -kUp);
+    mesh::ShaftEnd lamp{.corners = {}, .count = kLamp.size(), .normal = -kUp};
+    for (std::size_t i = 0; i < kLamp.size(); ++i) lamp.corners[i] = kLamp[i] - faces.origin;
+    return seen_factor(mesh::Shafts(faces, passable), from - faces.origin, kUp, lamp);
   }
   mesh::Faces faces;
   std::vector<std::uint8_t> passable;
