@@ -13,6 +13,7 @@
 #include "lighting/mesh_grading.h"
 #include "mesh/element_tree.h"
 #include "mesh/size_field.h"
+#include "mesh/slits.h"
 
 namespace clerestory::lighting {
 
@@ -109,12 +110,13 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
   result.shown.assign(2 * scene.faces.count(), 0);
   std::copy(others.begin(), others.end(), result.shown.begin());
   result.jump.assign(scene.faces.count(), 0);
-  std::vector<mesh::FaceLine> lines;
   for (const mesh::DiscontinuityLine& line : result.found.lines) {
-    lines.push_back({line.face, line.ends});
     result.shown[FaceSide{line.face, line.side}.index()] = 1;
     if (line.order == 0) result.jump[line.face.index()] = 1;
   }
+  // The feet of slits, where light and dark lie side by side, are lines of the solver's mesh too.
+  std::vector<mesh::FaceLine> lines = mesh::slit_lines(scene.faces, result.shown);
+  for (const mesh::DiscontinuityLine& line : result.found.lines) lines.push_back({line.face, line.ends});
   std::vector<std::uint8_t> wanted(scene.faces.count(), 0);
   for (std::size_t s = 0; s < result.shown.size(); ++s) wanted[mesh::face_side(s).face.index()] |= result.shown[s];
   mesh::MeshOptions options;

@@ -209,7 +209,7 @@ Model table_on_floor() {
   return model;
 }
 
-Model glass_box_in_wall(double glass_thickness_m) {
+Model wall_with_opening() {
   Model model;
   const Names wall{"wall", "wall"};
   const std::vector<Point> hole_front{{1, 0, 0.9}, {1, 0, 2.5}, {3, 0, 2.5}, {3, 0, 0.9}};
@@ -221,6 +221,11 @@ Model glass_box_in_wall(double glass_thickness_m) {
     const Point& b = hole_front[(i + 1) % 4];
     add_quad(model, a, b, {b.x, 0.3, b.z}, {a.x, 0.3, a.z}, wall);
   }
+  return model;
+}
+
+Model glass_box_in_wall(double glass_thickness_m) {
+  Model model = wall_with_opening();
   const double half = 0.5 * glass_thickness_m;
   add_box(model, {1, 0.15 - half, 0.9}, {3, 0.15 + half, 2.5}, {"glass", "window"});
   return model;

@@ -73,8 +73,9 @@ mesh::Model table_on_floor();
 /// Appends that table with the corner of its top nearest to the origin at this point of the floor.
 void add_table(mesh::Model& model, const mesh::Point& corner, const std::string& part = "table");
 
-/// A wall of 4 m × 3 m × 0.3 m along x with an opening of 2 m × 1.6 m, reveals, and in mid-wall a glass box (material glass) of
-/// this thickness that fills the opening.
+/// A wall of 4 m × 3 m × 0.3 m along x with an opening of 2 m × 1.6 m and reveals.
+mesh::Model wall_with_opening();
+/// The same with, in mid-wall, a glass box (material glass) of this thickness that fills the opening.
 mesh::Model glass_box_in_wall(double glass_thickness_m = 0.024);
 
 /// A square of 4 m in the xy plane with a square hole of 2 m in its middle (area 12 m²), front up: as a polygon with a hole loop,
