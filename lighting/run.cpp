@@ -327,6 +327,7 @@ Results sense(const Study& study, const StoredSolution& stored, Progress& watche
   LimitedProgress progress(watched, limits);
   clock.begin("cleaning the model", progress);
   Scene scene = build_scene(study, &progress);
+  clock.watch(*scene.rays);
 
   clock.begin("placing sensors", progress);
   place_all(study, scene, results, progress);

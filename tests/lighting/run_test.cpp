@@ -23,23 +23,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A room with a window, a table and a lamp.
-Study room_study() {
-  mesh::Model model = support::box_room(4, 4, 3);
-  support::add_table(model, {1.2, 1.6, 0.0});
-  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
-  Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
-  test::shine(test::material(study, "lamp"), 1000.0);
-  study.sky.type = Sky::Type::kCieOvercast;
-  Material& roof = test::material(study, "ceiling");
-  roof.front = roof.back = {};
-  roof.glazing = Glazing{};
-  study.grids[0].points.push_back({3, 3, 0.8});
-  study.grids[0].normals.push_back({0, 0, 1});
-  study.accuracy.target = 0.08;
-  return study;
-}
-
 Results answer(const Study& study) {
   NoProgress nobody;
   return run(study, nobody);
@@ -59,21 +42,23 @@ void expect_same(const Results& a, const Results& b) {
   EXPECT_EQ(a.counts.rays, b.counts.rays);
 }
 
-TEST(Run, TwiceGivesTheSameBits) { expect_same(answer(room_study()), answer(room_study())); }
+TEST(Run, TwiceGivesTheSameBits) {
+  expect_same(answer(test::furnished_room_study()), answer(test::furnished_room_study()));
+}
 
 TEST(Run, OneAndTwoThreadsGiveTheSameBits) {
   set_threads(1);
-  const Results one = answer(room_study());
+  const Results one = answer(test::furnished_room_study());
   set_threads(2);
-  const Results two = answer(room_study());
+  const Results two = answer(test::furnished_room_study());
   set_threads(0);
   expect_same(one, two);
 }
 
 TEST(Run, AnotherSeedGivesOtherValuesWithinTheError) {
-  Study other = room_study();
+  Study other = test::furnished_room_study();
   other.accuracy.seed = 99;
-  const Results a = answer(room_study());
+  const Results a = answer(test::furnished_room_study());
   const Results b = answer(other);
   EXPECT_NE(a.grids[0].illuminance_lux, b.grids[0].illuminance_lux);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -84,10 +69,10 @@ TEST(Run, AnotherSeedGivesOtherValuesWithinTheError) {
 
 TEST(Run, WhereTheModelStandsMattersLittle) {
   const mesh::Vector shift{612'345.125, 5'412'345.5, 520.25};
-  Study far_off = room_study();
+  Study far_off = test::furnished_room_study();
   far_off.model = support::moved(far_off.model, shift);
   for (Point& p : far_off.grids[0].points) p = p + shift;
-  const Results here = answer(room_study());
+  const Results here = answer(test::furnished_room_study());
   const Results there = answer(far_off);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(there.grids[0].illuminance_lux[i], here.grids[0].illuminance_lux[i], 2.0 * here.grids[0].error_lux[i]);
@@ -96,7 +81,7 @@ TEST(Run, WhereTheModelStandsMattersLittle) {
 }
 
 TEST(Run, DaylightFactorsAreSharesOfTheHorizontalIlluminance) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.kind = Study::Kind::kDaylight;
   study.sky.horizontal_illuminance_lux = 5'000.0;
   const Results results = answer(study);
@@ -155,7 +140,7 @@ class Impatient final : public Progress {
 };
 
 TEST(Run, StoppedInAnyPhaseOfTheLightItGivesWhatItHasWithErrorsThatHold) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.accuracy.target = 0.01;
   const Results whole = answer(study);
   for (const std::string phase : {"direct light", "linking", "gathering"}) {
@@ -178,7 +163,7 @@ TEST(Run, StoppedInAnyPhaseOfTheLightItGivesWhatItHasWithErrorsThatHold) {
 }
 
 TEST(Run, ABudgetOfElementsEndsRefinementWithErrorsThatHold) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.accuracy.target = 0.01;
   const Results whole = answer(study);
   EXPECT_FALSE(whole.stopped);
@@ -199,7 +184,7 @@ TEST(Run, ABudgetOfElementsEndsRefinementWithErrorsThatHold) {
 }
 
 TEST(Run, ABudgetThatIsNotReachedChangesNothing) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   const Results whole = answer(study);
   study.mesh.max_elements = 10 * whole.counts.elements;
   study.mesh.discontinuities = false;  // lines of shadows have the same budget
@@ -211,7 +196,7 @@ TEST(Run, ABudgetThatIsNotReachedChangesNothing) {
 }
 
 TEST(Run, AnAccuracyThatIsMetWithAllElementsUsedUpIsMet) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.mesh.max_elements = answer(study).counts.elements - 1;
   const Results results = answer(study);
   ASSERT_TRUE(results.stopped);
@@ -220,7 +205,7 @@ TEST(Run, AnAccuracyThatIsMetWithAllElementsUsedUpIsMet) {
 }
 
 TEST(Run, ABudgetBelowTheNumberOfSurfacesLeavesEachWhole) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.mesh.max_elements = 1;
   const Results results = answer(study);
   EXPECT_EQ(results.counts.elements, test::Stage(study).solution.tree().roots().size());
@@ -229,7 +214,7 @@ TEST(Run, ABudgetBelowTheNumberOfSurfacesLeavesEachWhole) {
 }
 
 TEST(Run, ABudgetOfElementsIsSpentAlikeByAnyNumberOfThreads) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   study.accuracy.target = 0.02;
   study.mesh.max_elements = answer(study).counts.elements / 2;
   set_threads(1);
@@ -243,25 +228,25 @@ TEST(Run, ABudgetOfElementsIsSpentAlikeByAnyNumberOfThreads) {
 
 TEST(Run, StoppedBeforeShadowsAreFoundItShowsSurfacesWithoutThem) {
   Impatient user("shadows");
-  const Results results = run(room_study(), user);
+  const Results results = run(test::furnished_room_study(), user);
   EXPECT_FALSE(results.shadow_lines);
   EXPECT_TRUE(results.accuracy_met);
-  EXPECT_EQ(results.grids[0].illuminance_lux, answer(room_study()).grids[0].illuminance_lux);
+  EXPECT_EQ(results.grids[0].illuminance_lux, answer(test::furnished_room_study()).grids[0].illuminance_lux);
   EXPECT_FALSE(results.surfaces.cells.empty());
   EXPECT_THAT(results.notices, Contains(HasSubstr("before the shadow lines")));
 }
 
 TEST(Run, StoppedBeforeThereIsAnythingToShowItFails) {
   Impatient user("meshing");
-  EXPECT_THROW(run(room_study(), user), Interrupted);
+  EXPECT_THROW(run(test::furnished_room_study(), user), Interrupted);
   NoProgress nobody;
-  EXPECT_THROW(run(room_study(), nobody, {.time_s = 1e-6}), LimitReached);
+  EXPECT_THROW(run(test::furnished_room_study(), nobody, {.time_s = 1e-6}), LimitReached);
 }
 
 TEST(Run, CountsAndPhasesAreToldOff) {
-  const Results results = answer(room_study());
+  const Results results = answer(test::furnished_room_study());
   EXPECT_EQ(results.counts.parts, 3U);
-  EXPECT_EQ(results.counts.polygons, room_study().model.polygon_count());
+  EXPECT_EQ(results.counts.polygons, test::furnished_room_study().model.polygon_count());
   EXPECT_EQ(results.counts.openings, 1U);
   EXPECT_GT(results.counts.links, 0U);
   EXPECT_GT(results.counts.rays, 0U);
@@ -272,7 +257,7 @@ TEST(Run, CountsAndPhasesAreToldOff) {
 }
 
 TEST(Run, SensorsAreTheSameWithAndWithoutShadowLines) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   const Results with = answer(study);
   study.mesh.discontinuities = false;
   const Results without = answer(study);
@@ -283,7 +268,7 @@ TEST(Run, SensorsAreTheSameWithAndWithoutShadowLines) {
 }
 
 TEST(Run, MeetsTheAccuracyItWasAsked) {
-  const Results results = answer(room_study());
+  const Results results = answer(test::furnished_room_study());
   EXPECT_TRUE(results.accuracy_met);
   EXPECT_EQ(results.accuracy_target, 0.08);
   EXPECT_LE(results.accuracy_reached, 0.08);
@@ -291,7 +276,7 @@ TEST(Run, MeetsTheAccuracyItWasAsked) {
 }
 
 TEST(Run, ReflectanceOfOneIsRefused) {
-  Study study = room_study();
+  Study study = test::furnished_room_study();
   test::material(study, "wall").front.reflectance = Spectrum{1.0F};
   try {
     std::ignore = answer(study);
@@ -322,7 +307,7 @@ class Stopper final : public Progress {
 TEST(Run, CanBeStoppedInItsLongPhases) {
   for (const std::string phase : {"direct light", "linking", "gathering"}) {
     Stopper stopper(phase);
-    EXPECT_THROW(std::ignore = run(room_study(), stopper), std::runtime_error) << phase;
+    EXPECT_THROW(std::ignore = run(test::furnished_room_study(), stopper), std::runtime_error) << phase;
   }
 }
 

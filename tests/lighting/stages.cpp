@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/support/shapes.h"
 #include "tests/support/surface_checks.h"
 
 namespace clerestory::lighting::test {
@@ -107,6 +108,22 @@ void leave_open(Material& material) {
   material.front = material.back = {};
   material.glazing.reset();
   material.opening = true;
+}
+
+Study furnished_room_study() {
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_table(model, {1.2, 1.6, 0.0});
+  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
+  Study study = study_of(std::move(model), 0.5, {1, 1, 0.8});
+  shine(material(study, "lamp"), 1000.0);
+  study.sky.type = Sky::Type::kCieOvercast;
+  Material& roof = material(study, "ceiling");
+  roof.front = roof.back = {};
+  roof.glazing = Glazing{};
+  study.grids[0].points.push_back({3, 3, 0.8});
+  study.grids[0].normals.push_back({0, 0, 1});
+  study.accuracy.target = 0.08;
+  return study;
 }
 
 }  // namespace clerestory::lighting::test

@@ -58,4 +58,7 @@ void shine(Material& material, double exitance_lm_m2);
 void glaze(Material& material, double transmittance_normal = 0.70);
 void leave_open(Material& material);
 
+/// A room of 4 m × 4 m × 3 m with a table, a lamp and a glass roof below an overcast sky, and two sensors; asked for 8 %.
+Study furnished_room_study();
+
 }  // namespace clerestory::lighting::test

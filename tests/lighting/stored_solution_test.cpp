@@ -11,26 +11,17 @@
 #include "lighting/run.h"
 #include "mesh/error.h"
 #include "tests/lighting/stages.h"
-#include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
 namespace {
 
 using testing::HasSubstr;
 
-/// A room with a table, a lamp and a glass roof below an overcast sky, and three sensors.
-Study room_study() {
-  mesh::Model model = support::box_room(4, 4, 3);
-  support::add_table(model, {1.2, 1.6, 0.0});
-  support::add_quad(model, {1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}, {"lamp", "lamp"});
-  Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
-  test::shine(test::material(study, "lamp"), 1000.0);
-  study.sky.type = Sky::Type::kCieOvercast;
-  test::glaze(test::material(study, "ceiling"));
-  for (const mesh::Point& p : {mesh::Point{3, 3, 0.8}, mesh::Point{1.5, 1.8, 0.3}}) {
-    study.grids[0].points.push_back(p);
-    study.grids[0].normals.push_back({0, 0, 1});
-  }
+/// A study whose solution is kept, with a sensor below the table too.
+Study kept_study() {
+  Study study = test::furnished_room_study();
+  study.grids[0].points.push_back({1.5, 1.8, 0.3});
+  study.grids[0].normals.push_back({0, 0, 1});
   study.accuracy.target = 0.05;
   study.keep_solution = true;
   return study;
@@ -47,7 +38,7 @@ Results again(const Study& study, const StoredSolution& stored) {
 }
 
 TEST(StoredSolution, AnswersTheSameGridsToTheBit) {
-  const Study study = room_study();
+  const Study study = kept_study();
   const Results solved = answer(study);
   ASSERT_TRUE(solved.solution);
   const Results sensed = again(study, *solved.solution);
@@ -59,7 +50,7 @@ TEST(StoredSolution, AnswersTheSameGridsToTheBit) {
 }
 
 TEST(StoredSolution, AnswersOtherGridsAsAFreshRunWithinTheErrors) {
-  Study study = room_study();
+  Study study = kept_study();
   const Results solved = answer(study);
   GridRequest& grid = study.grids.at(0);
   grid.name = "faces";
@@ -75,7 +66,7 @@ TEST(StoredSolution, AnswersOtherGridsAsAFreshRunWithinTheErrors) {
 }
 
 TEST(StoredSolution, IsKeptOnlyWhereAskedFor) {
-  Study study = room_study();
+  Study study = kept_study();
   study.keep_solution = false;
   EXPECT_FALSE(answer(study).solution);
 }
@@ -91,7 +82,7 @@ std::string refusal(const Study& study, const StoredSolution& stored) {
 }
 
 TEST(StoredSolution, OfAnotherStudyIsRefusedWithWhatHasChanged) {
-  const Study study = room_study();
+  const Study study = kept_study();
   const Results solved = answer(study);
   Study moved = study;
   for (mesh::Point& p : moved.model.vertices) p.x += p.x > 1.9 ? 0.01 : 0.0;
@@ -108,7 +99,7 @@ TEST(StoredSolution, OfAnotherStudyIsRefusedWithWhatHasChanged) {
 }
 
 TEST(StoredSolution, ThatIsDamagedIsRefused) {
-  const Study study = room_study();
+  const Study study = kept_study();
   const StoredSolution whole = *answer(study).solution;
   const auto damaged = [&](auto damage) {
     StoredSolution stored = whole;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/surface_values.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -19,6 +21,9 @@ namespace {
 
 using mesh::Point;
 using mesh::Vector;
+using testing::Each;
+using testing::Gt;
+using testing::Lt;
 
 constexpr Vector kShift{1000.0, 2000.0, 50.0};
 
@@ -111,30 +116,37 @@ TEST(SurfaceValues, PointsAreSharedWithinAFaceAndNeverAcrossItsEdgesOrSides) {
   EXPECT_GT(shared, 0U);
 }
 
+/// What the points of the floor's front on a line x = ... have, as cells to its left (lit) and to its right (dark) use them.
+struct Parted {
+  std::vector<float> lit_lux;
+  std::vector<float> dark_lux;
+};
+
+Parted parted(const SurfaceResult& s, double x, double up_to_y = std::numeric_limits<double>::infinity()) {
+  Parted found;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
+    Vector middle;
+    for (const std::uint32_t p : s.cells[i]) middle = middle + (s.points[p] - Point{}) / 3.0;
+    for (const std::uint32_t p : s.cells[i]) {
+      if (std::abs(s.points[p].x - x) > 1e-6 || s.points[p].y > up_to_y) continue;
+      (middle.x < x ? found.lit_lux : found.dark_lux).push_back(s.point_illuminance_lux[p]);
+    }
+  }
+  return found;
+}
+
 TEST(SurfaceValues, LightDoesNotCrossAContact) {
   // A wall stands on one floor; only the room x < 3 is lit. Points along its foot are either lit or dark.
   Study study = test::study_of(support::two_rooms_with_thin_wall(), 0.5, {1.5, 2, 1});
   study.point_sources.push_back({.at = {1.5, 2, 2.5}, .intensity_cd = 1000.0});
   const test::Solved solved(study);
   const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
-  int lit = 0;
-  int dark = 0;
-  for (std::size_t i = 0; i < s.cells.size(); ++i) {
-    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
-    Vector middle;
-    for (const std::uint32_t p : s.cells[i]) middle = middle + (s.points[p] - Point{}) / 3.0;
-    for (const std::uint32_t p : s.cells[i]) {
-      if (std::abs(s.points[p].x - 3.0) > 1e-6) continue;
-      (middle.x < 3.0 ? lit : dark) += 1;
-      if (middle.x < 3.0) {
-        EXPECT_GT(s.point_illuminance_lux[p], 10.0F);
-      } else {
-        EXPECT_EQ(s.point_illuminance_lux[p], 0.0F);
-      }
-    }
-  }
-  EXPECT_GT(lit, 0);
-  EXPECT_GT(dark, 0);
+  const Parted foot = parted(s, 3.0);
+  EXPECT_THAT(foot.lit_lux, Each(Gt(10.0F)));
+  EXPECT_THAT(foot.dark_lux, Each(0.0F));
+  EXPECT_FALSE(foot.lit_lux.empty());
+  EXPECT_FALSE(foot.dark_lux.empty());
 }
 
 TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
@@ -145,24 +157,11 @@ TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
   study.point_sources.push_back({.at = {1, 2, 1}, .intensity_cd = 1000.0});
   const test::Solved solved(study);
   const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
-  int lit = 0;
-  int dark = 0;
-  for (std::size_t i = 0; i < s.cells.size(); ++i) {
-    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
-    Vector middle;
-    for (const std::uint32_t p : s.cells[i]) middle = middle + (s.points[p] - Point{}) / 3.0;
-    for (const std::uint32_t p : s.cells[i]) {
-      if (std::abs(s.points[p].x - 2.0) > 1e-6 || s.points[p].y > 2.5) continue;
-      (middle.x < 2.0 ? lit : dark) += 1;
-      if (middle.x < 2.0) {
-        EXPECT_GT(s.point_illuminance_lux[p], 50.0F);
-      } else {
-        EXPECT_LT(s.point_illuminance_lux[p], 10.0F);
-      }
-    }
-  }
-  EXPECT_GT(lit, 0);
-  EXPECT_GT(dark, 0);
+  const Parted foot = parted(s, 2.0, 2.5);
+  EXPECT_THAT(foot.lit_lux, Each(Gt(50.0F)));
+  EXPECT_THAT(foot.dark_lux, Each(Lt(10.0F)));
+  EXPECT_FALSE(foot.lit_lux.empty());
+  EXPECT_FALSE(foot.dark_lux.empty());
 }
 
 TEST(SurfaceValues, HangingPointsHaveWhatTheEdgesOfLargerCellsHave) {
