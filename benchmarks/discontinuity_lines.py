@@ -246,12 +246,12 @@ def plot(results):
         x0 = left + panel * (width + 50)
         times = np.log10([r["cpu_s"] for r in rows])
         low_t, high_t = times.min() - 0.1, times.max() + 0.1
-        low_e, high_e = -1.5, 1.5
+        low_e, high_e = -2.0, 0.5  # shares: 1 % to 316 %
         place = lambda t, e: (x0 + width * (t - low_t) / (high_t - low_t),
                               top + height * (high_e - np.clip(np.log10(e), low_e, high_e)) / (high_e - low_e))
         svg.append(f'<text x="{x0}" y="{top - 14}" font-weight="bold">{scene}</text>')
         svg.append(f'<rect x="{x0}" y="{top}" width="{width}" height="{height}" fill="none" stroke="#888"/>')
-        for percent in (10, 100, 1000):
+        for percent in (1, 10, 100):
             y = place(low_t, percent / 100)[1]
             svg.append(f'<line x1="{x0}" x2="{x0 + width}" y1="{y:.1f}" y2="{y:.1f}" stroke="#ddd"/>')
             svg.append(f'<text x="{x0 - 6}" y="{y + 4:.1f}" text-anchor="end">{percent} %</text>')
