@@ -164,11 +164,21 @@ bool LocalPass::as_solved(ElementId element) const {
 
 std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& point) const {
   if (as_solved(element)) return std::nullopt;
+  const Vector& normal = solution_.tree().normal(element);
+  return light(element, {point + solution_.scene().rays->offset_m() * normal, normal});
+}
+
+std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Point& point,
+                                                    const mesh::LimitPoint& limit) const {
+  if (as_solved(element)) return std::nullopt;
+  const double above = std::max(0.0, dot(limit.at - point, limit.normal));
+  const Vector lift = solution_.scene().rays->offset_m() * solution_.tree().normal(element);
+  return light(element, {point + above * limit.normal + lift, limit.normal});
+}
+
+LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) const {
   const mesh::ElementTree& tree = solution_.tree();
-  const Scene& scene = solution_.scene();
-  const Vector& normal = tree.normal(element);
-  const Receiver receiver{point + scene.rays->offset_m() * normal, normal};
-  Sum sum(solution_, errors_, point_source_illuminance(scene, receiver.from, normal));
+  Sum sum(solution_, errors_, point_source_illuminance(solution_.scene(), receiver.from, receiver.normal));
   for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];

@@ -35,6 +35,11 @@ class LocalPass {
   /// Light at a point of an element; nothing where that of the solution is as good: where form factors were made to add up, all that
   /// surrounds the element is wholly seen.
   [[nodiscard]] std::optional<Light> at(mesh::ElementId element, const mesh::Point& point) const;
+  /// The same at the point of a limit surface that a point of an element of a curved part stands for, with that surface's normal: shading is
+  /// smooth over the triangles that rays see. Where that point is above its triangle rays start from it, else from the triangle.
+  /// @param limit  its normal is that of the element's side
+  [[nodiscard]] std::optional<Light> at_limit(mesh::ElementId element, const mesh::Point& point,
+                                              const mesh::LimitPoint& limit) const;
   /// The part of it that comes from surfaces that shine and from point sources, luminance-weighted [lux]: it is exact at every point. Nothing where
   /// at() gives nothing, and where it takes rays, as panes or a crowd stand before a surface that shines.
   [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
@@ -49,6 +54,7 @@ class LocalPass {
   };
   class Sum;
 
+  [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;

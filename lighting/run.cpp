@@ -47,6 +47,7 @@ constexpr double kElementsOfDirectLight = 0.5;
 /// Of the time of their phases, measured on the validation scenes.
 constexpr double kShareOfStartMesh = 0.8;
 constexpr double kShareOfShownMesh = 0.5;
+constexpr double kShareOfLitMesh = 0.95;
 
 /// Notes the time of each phase, and its rays.
 class Clock {
@@ -179,8 +180,10 @@ void show_shadows(const Study& study, const Solution& solution, const SolutionEr
   progress.advance(0.0);
   const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements});
   progress.advance(kShareOfShownMesh);
-  PhasePart lighting(progress, kShareOfShownMesh, 1.0);
-  results.surfaces = surface_values(solution, errors, shown, light_mesh(solution, errors, shown, local, lighting));
+  PhasePart lighting(progress, kShareOfShownMesh, kShareOfLitMesh);
+  const LitMesh lit = light_mesh(solution, errors, shown, local, lighting);
+  PhasePart curved(progress, kShareOfLitMesh, 1.0);
+  results.surfaces = surface_values(solution, errors, shown, lit, local, curved);
   results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
   for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);
 }

@@ -7,10 +7,13 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "lighting/lit_limit.h"
+#include "lighting/mesh_grading.h"
 #include "lighting/parallel.h"
 #include "mesh/contact_sectors.h"
 #include "mesh/smooth_regions.h"
@@ -85,7 +88,8 @@ class SurfaceWriter {
     }
   }
 
-  SurfaceResult write() {
+  /// Surfaces that are shown by the elements of the solution.
+  void add_elements() {
     for (const ElementId e : solution_.elements()) {
       if (is_shown(tree_.face_side(e))) continue;
       std::vector<ElementId> triangles;
@@ -93,6 +97,24 @@ class SurfaceWriter {
       const ElementId root = tree_.root(e);
       for (const ElementId t : triangles) add_cell(e, t, root);
     }
+  }
+
+  /// What could be lit better than by the solution: the points of curved parts.
+  [[nodiscard]] std::span<const LimitPlace> limit_places() const { return limit_places_; }
+  /// @param light  [limit places] nothing where the solution's stays
+  void light_curved(std::span<const std::optional<LocalPass::Light>> light) {
+    std::map<std::uint32_t, const LocalPass::Light*> lit;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      if (!light[i]) continue;
+      const std::uint32_t point = limit_points_[i];
+      lit[point] = &*light[i];
+      sums_[point] = luminance_of(*light[i]);
+      weights_[point] = 1.0;
+    }
+    for (const CurvedCell& cell : curved_cells_) light_cell(cell, lit);
+  }
+
+  SurfaceResult finish() {
     find_rooms();
     for (std::size_t i = 0; i < result_.points.size(); ++i) sums_[i] /= weights_[i];
     anchor();
@@ -119,10 +141,46 @@ class SurfaceWriter {
     return static_cast<std::size_t>(std::find(roots.begin(), roots.end(), root) - roots.begin());
   }
 
+  [[nodiscard]] double luminance_of(const LocalPass::Light& light) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < solution_.channels(); ++c) sum += solution_.scene().channel_weights[c] * light.lux[c];
+    return sum;
+  }
+
+  /// A cell of a curved part, whose light is that of its points.
+  struct CurvedCell {
+    std::size_t cell = 0;
+    ElementId element;
+  };
+
+  void light_cell(const CurvedCell& cell, const std::map<std::uint32_t, const LocalPass::Light*>& lit) {
+    const mesh::FaceSide side = tree_.face_side(cell.element);
+    const Scene& scene = solution_.scene();
+    double lux = 0.0;
+    double error2 = 0.0;
+    float radiosity = own_radiosity(side);
+    for (const std::uint32_t point : result_.cells[cell.cell]) {
+      const auto found = lit.find(point);
+      if (found == lit.end()) return;
+      lux += luminance_of(*found->second) / 3.0;
+      error2 += found->second->error_lux * found->second->error_lux / 3.0;
+      for (std::size_t c = 0; c < scene.channels; ++c) {
+        radiosity += scene.channel_weights[c] * scene.side_reflectance(side)[c] *
+                     static_cast<float>(found->second->lux[c] / 3.0);
+      }
+    }
+    result_.illuminance_lux[cell.cell] = static_cast<float>(lux);
+    result_.error_lux[cell.cell] = static_cast<float>(std::sqrt(error2));
+    result_.radiosity_lm_m2[cell.cell] = radiosity;
+    result_.luminance_cd_m2[cell.cell] = radiosity / std::numbers::pi_v<float>;
+  }
+
   /// A point of a curved part: one for all elements of that side of one smooth surface whose normals agree there.
-  std::uint32_t curved_point(ElementId root, const mesh::LimitPoint& limit) {
+  /// @param place  the element that asks, and where in it; its limit's normal is that of the side
+  std::uint32_t curved_point(ElementId root, const LimitPlace& place) {
     const mesh::FaceSide side = tree_.face_side(root);
-    const Vector normal = side.side == mesh::Side::kBack ? -limit.normal : limit.normal;
+    const mesh::LimitPoint& limit = place.limit;
+    const Vector& normal = limit.normal;
     const std::array<std::uint32_t, 3> key{places_.add(limit.at), static_cast<std::uint32_t>(side.side),
                                            surface_of_[side.face.index()][region_of(root)]};
     std::vector<std::uint32_t>& known = curved_points_[key];
@@ -130,13 +188,17 @@ class SurfaceWriter {
       if (dot(result_.point_normals[point], normal) > kSmoothCosine) return point;
     }
     known.push_back(add_point(limit.at, normal));
+    limit_places_.push_back(place);
+    limit_points_.push_back(known.back());
     return known.back();
   }
 
   /// A corner of a cell with that middle: one for all cells of a region, but for those on the other side of a contact.
-  std::uint32_t point_of(ElementId root, const Point& p, const Point& middle) {
-    if (const auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p))
-      return curved_point(root, *limit);
+  std::uint32_t point_of(ElementId element, ElementId root, const Point& p, const Point& middle) {
+    if (auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p)) {
+      if (tree_.face_side(root).side == mesh::Side::kBack) limit->normal = -limit->normal;
+      return curved_point(root, {element, inside_from(p, middle), *limit});
+    }
     const std::array<std::uint32_t, 3> key{root.value, sectors_.at(tree_.face_side(root).face, p, middle),
                                            flat_places_.add(p)};
     const auto [entry, added] = points_.try_emplace(key, static_cast<std::uint32_t>(result_.points.size()));
@@ -177,7 +239,7 @@ class SurfaceWriter {
     std::array<std::uint32_t, 3> cell{};
     const auto corners = tree_.corners(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-      cell[k] = point_of(root, corners[k], tree_.centroid(triangle));
+      cell[k] = point_of(element, root, corners[k], tree_.centroid(triangle));
       sums_[cell[k]] += tree_.area(triangle) * illuminance_at(element, corners[k]);
       weights_[cell[k]] += tree_.area(triangle);
     }
@@ -186,6 +248,8 @@ class SurfaceWriter {
         const std::size_t next = (k + 1) % 3;
         edges_.push_back({root, {cell[k], cell[next]}, {corners[k], corners[next]}, tree_.centroid(triangle)});
       }
+    } else {
+      curved_cells_.push_back({result_.cells.size(), element});
     }
     const Point& middle = tree_.centroid(triangle);
     float radiosity = own_radiosity(tree_.face_side(element));
@@ -259,6 +323,9 @@ class SurfaceWriter {
   mesh::VertexIndex places_{kGrainOfFaces};             // of curved parts
   std::vector<std::vector<std::uint32_t>> surface_of_;  // [faces][regions] of curved parts
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> curved_points_;
+  std::vector<LimitPlace> limit_places_;
+  std::vector<std::uint32_t> limit_points_;  // [limit places] points of the result
+  std::vector<CurvedCell> curved_cells_;
   std::vector<std::pair<Point, Vector>> looks_;  // centroid and normal of each cell
   std::vector<double> sums_;                     // by weight, of points; at last their values
   std::vector<double> weights_;
@@ -268,14 +335,18 @@ class SurfaceWriter {
 }  // namespace
 
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors) {
-  return SurfaceWriter(solution, errors).write();
+  SurfaceWriter writer(solution, errors);
+  writer.add_elements();
+  return writer.finish();
 }
 
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                             const LitMesh& lit) {
+                             const LitMesh& lit, const LocalPass& local, Progress& progress) {
   SurfaceWriter writer(solution, errors);
   writer.add(shown, lit);
-  return writer.write();
+  writer.add_elements();
+  writer.light_curved(light_limit(local, writer.limit_places(), progress));
+  return writer.finish();
 }
 
 }  // namespace clerestory::lighting

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lighting/lit_mesh.h"
+#include "lighting/local_pass.h"
 #include "lighting/results.h"
 #include "lighting/shown_mesh.h"
 #include "lighting/solution.h"
@@ -15,8 +16,8 @@ namespace clerestory::lighting {
 /// @param errors  of the solution
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors);
 
-/// The same, but surfaces that have a mesh of their own are shown by it.
+/// The same, but surfaces that have a mesh of their own are shown by it, and points of curved parts are lit by the local pass.
 SurfaceResult surface_values(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                             const LitMesh& lit);
+                             const LitMesh& lit, const LocalPass& local, Progress& progress);
 
 }  // namespace clerestory::lighting

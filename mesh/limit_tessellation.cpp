@@ -17,10 +17,11 @@ namespace Bfr = OpenSubdiv::Bfr;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr int kMostPieces = 256;
 /// Rounds of measuring and growing; curvature is sampled, so that the first round is right as a rule.
-constexpr int kMostRounds = 20;
+constexpr int kMostRounds = 40;
 /// Growth of a round; deviations that hardly fall need a jolt.
-constexpr double kLeastGrowth = 1.25;
-constexpr double kLeastWanted = 0.5;
+constexpr double kLeastGrowth = 1.1;
+/// Samples may have missed what is curved: where they find nothing it is taken to use up this share of the tolerance.
+constexpr double kUnseenShare = 0.05;
 constexpr int kSamples = 5;  // of curvature, along an edge and each way in a patch
 
 using Coordinates = std::array<double, 2>;
@@ -66,6 +67,29 @@ struct Patch {
   [[nodiscard]] int inner(std::size_t k) const { return pieces_of(wanted[k]); }
 };
 
+/// Second derivatives of a patch along its normal, the largest [m].
+struct Bending {
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+};
+
+/// The fewest pieces in either direction from whose triangles a patch deviates by no more than the tolerance: by up to an eighth of
+/// uu/nu² + 2 uv/(nu nv) + vv/nv² [Filip, Magedson, Markot 1986]. What is straight one way stays whole that way.
+std::array<double, 2> fewest_pieces(const Bending& bending, double tolerance) {
+  const double allowed = 8.0 * tolerance;
+  std::array<double, 2> best{kMostPieces, kMostPieces};
+  for (double v = 1.0; v <= kMostPieces; v += 1.0) {
+    const double left = allowed - bending.vv / (v * v);
+    if (left <= 0.0) continue;
+    // The root of uu x² + 2 (uv/v) x = left, x = 1/nu.
+    const double half = bending.uv / v;
+    const double u = pieces_of((half + std::sqrt(half * half + bending.uu * left)) / left);
+    if (u * v < best[0] * best[1]) best = {u, v};
+  }
+  return best;
+}
+
 class Tessellator {
  public:
   Tessellator(const ControlCage& cage, const LimitSurface& surface, std::span<const double> tolerance)
@@ -96,6 +120,7 @@ class Tessellator {
   void estimate();
   void estimate(Curve& curve) const;
   void estimate(std::uint32_t patch);
+  void align();
 
   void build();
   void place_curve(Curve& curve);
@@ -215,34 +240,48 @@ void Tessellator::estimate(Curve& curve) const {
 }
 
 void Tessellator::estimate(std::uint32_t patch) {
-  double uu = 0.0;
-  double uv = 0.0;
-  double vv = 0.0;
+  Bending most;
+  double across = 0.0;  // along the third edge of a triangle
   for (int i = 0; i < kSamples; ++i) {
     for (int j = 0; j < kSamples; ++j) {
       Coordinates at{(i + 0.5) / kSamples, (j + 0.5) / kSamples};
       if (surface_.has_triangles() && at[0] + at[1] > 1.0) at = {1.0 - at[0], 1.0 - at[1]};
       const LimitSurface::Derivatives d = surface_.derivatives(patch, at[0], at[1]);
       const Vector normal = normalized(cross(d.du, d.dv));
-      uu = std::max(uu, std::abs(dot(d.duu, normal)));
-      uv = std::max(uv, std::abs(dot(d.duv, normal)));
-      vv = std::max(vv, std::abs(dot(d.dvv, normal)));
+      most.uu = std::max(most.uu, std::abs(dot(d.duu, normal)));
+      most.uv = std::max(most.uv, std::abs(dot(d.duv, normal)));
+      most.vv = std::max(most.vv, std::abs(dot(d.dvv, normal)));
+      across = std::max(across, std::abs(dot(d.duu - 2.0 * d.duv + d.dvv, normal)));
     }
   }
   const double tolerance = tolerance_[patches_[patch].face];
-  auto& wanted = patches_[patch].wanted;
+  const double unseen = kUnseenShare * 8.0 * tolerance;
+  most.uu = std::max(most.uu, unseen);
+  most.vv = std::max(most.vv, unseen);
   if (surface_.has_triangles()) {
-    wanted[0] = wanted[1] = std::sqrt((uu + 2.0 * uv + vv) / (8.0 * tolerance));
+    // In the middle of a triangle whose edges bend alike.
+    patches_[patch].wanted.fill(std::sqrt(std::max({most.uu, most.vv, across}) / (6.0 * tolerance)));
   } else {
-    wanted = {std::sqrt((uu + uv) / (4.0 * tolerance)), std::sqrt((vv + uv) / (4.0 * tolerance))};
+    patches_[patch].wanted = fewest_pieces(most, tolerance);
   }
-  // Samples may have missed what is curved.
-  for (double& n : wanted) n = std::max(n, kLeastWanted);
 }
 
 void Tessellator::estimate() {
   for (Curve& curve : curves_) estimate(curve);
   for (std::uint32_t p = 0; p < patches_.size(); ++p) estimate(p);
+  align();
+}
+
+/// Edges are as dense as the coarser of the patches that they join, so that rows of pieces go through.
+void Tessellator::align() {
+  std::vector<int> least(curves_.size(), kMostPieces);
+  for (const Patch& patch : patches_) {
+    for (std::size_t k = 0; k < patch.sides.size(); ++k) {
+      const int wanted = patch.inner(k % 2) * (patch.sides[k].half >= 0 ? 2 : 1);
+      least[patch.sides[k].curve] = std::min(least[patch.sides[k].curve], wanted);
+    }
+  }
+  for (std::size_t c = 0; c < curves_.size(); ++c) curves_[c].pieces = std::max(curves_[c].pieces, least[c]);
 }
 
 // --- points and triangles
@@ -427,6 +466,7 @@ bool Tessellator::grow() {
       if (along < patches_[p].inner(k % 2) && more <= kMostPieces) curve.pieces = more;
     }
   }
+  align();
   return changed;
 }
 

@@ -207,7 +207,8 @@ TEST(SurfaceValuesInShadow, PointsMeetTheShadowThatElementsMiss) {
   const ShownMesh shown = lit.shown(100000);
   NoProgress nobody;
   const LitMesh light = light_mesh(lit.solution, lit.transport.errors, shown, lit.local_pass, nobody);
-  const double with = worst(surface_values(lit.solution, lit.transport.errors, shown, light), exact);
+  const double with =
+      worst(surface_values(lit.solution, lit.transport.errors, shown, light, lit.local_pass, nobody), exact);
   const double without = worst(surface_values(lit.solution, lit.transport.errors), exact);
   EXPECT_LT(2.0 * with, without);
 }

@@ -196,7 +196,7 @@ Study ball_in_a_furnace() {
   mesh::Model room = support::box_room(4, 4, 3);
   support::append(room, model);
   std::vector<std::optional<mesh::CurvedPart>> parts(room.part_names.size());
-  parts.back() = mesh::CurvedPart{mesh::SubdivisionScheme::kCatmullClark, 0.02};
+  parts.back() = mesh::CurvedPart{mesh::SubdivisionScheme::kCatmullClark, 0.005};
   Study study = test::study_of(mesh::subdivide(room, parts), 0.5, Point{0.1, 0.1, 0.1});
   for (Material& m : study.materials) test::shine(m, 20.0);
   return study;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -69,6 +70,35 @@ TEST(LimitTessellation, PatchesOfDifferentDensityShareTheirEdges) {
     if (piece.face == 2) ++fine;
   }
   EXPECT_GT(fine, mesh.pieces.size() / 2);
+}
+
+/// A half cylinder of 3 m radius and 10 m length, six faces across and four along.
+mesh::ControlCage vault_cage() {
+  constexpr int kAcross = 6;
+  constexpr int kAlong = 4;
+  mesh::ControlCage cage;
+  for (int j = 0; j <= kAlong; ++j) {
+    for (int i = 0; i <= kAcross; ++i) {
+      const double angle = std::numbers::pi * i / kAcross;
+      cage.points.push_back({3.0 * std::cos(angle), 10.0 * j / kAlong, 3.0 * std::sin(angle)});
+    }
+  }
+  for (std::uint32_t j = 0; j < kAlong; ++j) {
+    for (std::uint32_t i = 0; i < kAcross; ++i) {
+      const std::uint32_t first = j * (kAcross + 1) + i;
+      for (const std::uint32_t k : {first, first + 1, first + kAcross + 2, first + kAcross + 1})
+        cage.corners.push_back(k);
+      cage.face_starts.push_back(static_cast<std::uint32_t>(cage.corners.size()));
+    }
+  }
+  return cage;
+}
+
+TEST(LimitTessellation, WhatIsStraightOneWayIsNotCutThatWay) {
+  // An arc of 30 degrees of so large a radius takes six pieces for this tolerance.
+  const LimitTessellation mesh = tessellation_of(vault_cage(), 0.00375);
+  EXPECT_EQ(mesh.pieces.size(), 24U * 6U * 2U);
+  for (const auto& piece : mesh.pieces) EXPECT_LE(piece.deviation_m, 0.00375);
 }
 
 TEST(LimitTessellation, NoTriangleIsFartherOffThanTheTolerance) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/lit_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lighting/lit_mesh.h"
+#include "lighting/shown_mesh.h"
+#include "lighting/surface_values.h"
+#include "mesh/subdivision.h"
+#include "tests/lighting/stages.h"
+#include "tests/support/cages.h"
+#include "tests/support/shapes.h"
+
+// Points of curved parts are lit with the normal of their limit surface.
+namespace clerestory::lighting {
+namespace {
+
+using mesh::Point;
+using mesh::Vector;
+
+constexpr std::uint64_t kSeed = 12345;
+constexpr double kAccuracy = 0.02;
+constexpr Point kMiddle{2, 2, 1.5};
+
+/// A ball of limit surface, some 0.7 m across, in the middle of a room.
+Study ball_in_a_room(double reflectance, double chord_tolerance_m) {
+  mesh::Model ball = support::cube_cage();
+  for (Point& p : ball.vertices) p = kMiddle + 0.5 * (p - Point{});
+  mesh::Model room = support::box_room(4, 4, 3);
+  support::append(room, ball);
+  std::vector<std::optional<mesh::CurvedPart>> parts(room.part_names.size());
+  parts.back() = mesh::CurvedPart{mesh::SubdivisionScheme::kCatmullClark, chord_tolerance_m};
+  return test::study_of(mesh::subdivide(room, parts), reflectance, Point{0.1, 0.1, 0.1});
+}
+
+/// What a run shows of a study.
+SurfaceResult shown_surfaces(const Study& study) {
+  test::Stage stage(study);
+  NoProgress nobody;
+  const Importance importance(stage.solution, stage.positions, stage.normals, kSeed);
+  DirectLight direct = light_directly(stage.solution, importance, 0.002 * kAccuracy, kSeed, nobody);
+  const Transport transport = solve(stage.solution, importance, direct, {.accuracy = kAccuracy, .seed = kSeed}, nobody);
+  const LocalPass local(stage.solution, transport.errors, direct.nodes, kAccuracy, 0.05 * importance.mean_lux());
+  const ShownMesh shown =
+      shown_mesh(stage.solution, transport.errors, local, {kAccuracy, 0.05 * importance.mean_lux(), 100000});
+  const LitMesh lit = light_mesh(stage.solution, transport.errors, shown, local, nobody);
+  return surface_values(stage.solution, transport.errors, shown, lit, local, nobody);
+}
+
+/// Points of the ball's outside or inside.
+std::vector<std::uint32_t> points_of_ball(const SurfaceResult& s, mesh::Side side) {
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.part_names[static_cast<std::size_t>(s.part[i])] != "cage") continue;
+    if (s.side[i] == static_cast<std::uint8_t>(side)) points.insert(points.end(), s.cells[i].begin(), s.cells[i].end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Of a source of 1000 cd, without occluders, on the limit surface [lux]; and the cosine there.
+std::pair<double, double> exact_at(const SurfaceResult& s, std::uint32_t point, const Point& source) {
+  const Vector to = source - s.points[point];
+  const double cosine = dot(to, s.point_normals[point]) / norm(to);
+  return {1000.0 * std::max(0.0, cosine) / dot(to, to), cosine};
+}
+
+TEST(LitLimit, LightFromAPointSourceFallsOnTheOutsideByTheLimitsNormal) {
+  Study study = ball_in_a_room(0.0, 0.02);
+  const Point source{1.2, 2.3, 2.8};
+  study.point_sources.push_back({.at = source, .intensity_cd = 1000.0});
+  const SurfaceResult s = shown_surfaces(study);
+  std::size_t lit = 0;
+  for (const std::uint32_t p : points_of_ball(s, mesh::Side::kFront)) {
+    const auto [exact, cosine] = exact_at(s, p, source);
+    // Where light grazes, triangles stand in its way.
+    if (std::abs(cosine) < 0.2) continue;
+    EXPECT_NEAR(s.point_illuminance_lux[p], exact, 5.0) << "of 900 at most, cosine " << cosine;
+    lit += exact > 100.0 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 20U);
+}
+
+// Seen from inside, triangles stand before the limit surface, and rays start on them: so much nearer to the source at most.
+TEST(LitLimit, LightFromAPointSourceFallsOnTheInsideByTheLimitsNormal) {
+  constexpr double kChordM = 0.002;
+  Study study = ball_in_a_room(0.0, kChordM);
+  const Point source{1.9, 2.1, 1.6};
+  study.point_sources.push_back({.at = source, .intensity_cd = 1000.0});
+  const SurfaceResult s = shown_surfaces(study);
+  const auto inside = points_of_ball(s, mesh::Side::kBack);
+  EXPECT_GT(inside.size(), 40U);
+  for (const std::uint32_t p : inside) {
+    const auto [exact, cosine] = exact_at(s, p, source);
+    const double nearer = 2.0 * kChordM / norm(source - s.points[p]);
+    EXPECT_NEAR(s.point_illuminance_lux[p], exact, (nearer + 0.001) * exact);
+  }
+}
+
+TEST(LitLimit, AnEvenFurnaceShowsNoFacets) {
+  Study study = ball_in_a_room(0.5, 0.02);
+  for (Material& m : study.materials) test::shine(m, 20.0);
+  const SurfaceResult s = shown_surfaces(study);
+  for (const std::uint32_t p : points_of_ball(s, mesh::Side::kFront))
+    EXPECT_NEAR(s.point_illuminance_lux[p], 40.0, kAccuracy * 40.0);
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
