@@ -279,6 +279,7 @@ CleanSurface clean(const Model& model, const CleanOptions& options, Progress* pr
     defects = Repair(soup, options, model, watcher).run(report);
     // What was dropped may have stood out.
     surface.origin = surface.origin + recentre(soup);
+    surface.contact_gap_m = report.gap_m;
   } else {
     prepare(soup, options, model, report.notices);
   }
@@ -290,6 +291,7 @@ CleanSurface clean(const Model& model, const CleanOptions& options, Progress* pr
   }
   report.area_after_m2 = total_area(soup);
   surface.polygons = to_model(soup, model);
+  surface.passable_materials = options.passable_materials;
   for (const SoupPolygon& polygon : soup.polygons) {
     surface.source.push_back(polygon.source);
     surface.flipped.push_back(polygon.flipped ? 1 : 0);

@@ -80,6 +80,9 @@ struct CleanSurface {
   /// Polygon → the material on the back of its source, where that is another than on the front: two polygons lay there back to back.
   /// Not valid for all others.
   std::vector<MaterialId> back_material;
+  /// What stands so near before a face was meant to touch it: build_faces() closes the contact, since corners of solids were not moved [m].
+  double contact_gap_m = 0.0;
+  std::vector<bool> passable_materials;  ///< as CleanOptions::passable_materials
   CleanReport report;
 };
 

@@ -12,6 +12,7 @@
 #include "mesh/curvature.h"
 #include "mesh/face_drafts.h"
 #include "mesh/face_loops.h"
+#include "mesh/near_contacts.h"
 #include "mesh/phase_part.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
@@ -156,6 +157,8 @@ Faces build_faces(const CleanSurface& surface, const FaceOptions& options, Progr
   PhasePart watcher(progress != nullptr ? *progress : unwatched, 0.0, 1.0);
   std::vector<std::vector<std::uint32_t>> facets;
   FaceDrafts drafts = draft_faces(surface, options, facets);
+  close_near_contacts(drafts, {surface.contact_gap_m, surface.passable_materials});
+  facets.resize(drafts.faces.size());
   watcher.advance(kShareOfDrafts);
   imprint_contacts(drafts);
   PhasePart triangulating(watcher, kShareOfContacts, 1.0);

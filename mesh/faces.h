@@ -80,8 +80,8 @@ struct FaceOptions {
   double angle_tolerance_rad = 1e-4;
 };
 
-/// Merges coplanar, same-material, same-part connected polygons into faces with holes, finds where other faces touch or cross each
-/// face, and imprints those contacts (CGAL constrained Delaunay triangulation, exact predicates).
+/// Merges coplanar, same-material, same-part connected polygons into faces with holes, closes contacts that miss each other by no more than
+/// the surface's gap (mesh/near_contacts.h), finds where other faces touch or cross each face, and imprints those contacts (CGAL constrained Delaunay triangulation, exact predicates).
 /// @param progress  hears which share is done; may be null
 Faces build_faces(const CleanSurface& surface, const FaceOptions& options = {}, Progress* progress = nullptr);
 
