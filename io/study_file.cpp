@@ -86,6 +86,7 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   if (!options.model_only) {
     read_sky_table(root, study);
     read_grids_table(root, place, study);
+    read_results_table(root, study);
     read_mesh_table(root, study);
     read_accuracy_table(root, study);
   }

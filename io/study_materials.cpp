@@ -35,6 +35,7 @@ std::optional<lighting::Emission> emission_of(const StudyValue& entry) {
   lighting::Emission emission;
   if (flux != nullptr) emission.flux_lm = flux->number;
   if (luminance != nullptr) emission.luminance_cd_m2 = luminance->number;
+  emission.group = text_or(*table, "group", "");
   return emission;
 }
 

@@ -168,6 +168,10 @@ constexpr StudyKey kKeys[] = {
      .example = "1000",
      .low = 0.0,
      .high = 1e9},
+    {.path = "materials.*.emission.group",
+     .type = kText,
+     .meaning = "Whose results are given apart and who are dimmed together. Not given: the name of the material.",
+     .example = "\"row-a\""},
     {.path = "materials.*.opening",
      .type = kBoolean,
      .fallback = "false",
@@ -200,6 +204,7 @@ constexpr StudyKey kKeys[] = {
      .example = "1000",
      .low = 0.0,
      .high = 1e9},
+    {.path = "materials.*.back.emission.group", .type = kText, .meaning = "As above.", .example = "\"row-a\""},
 
     {.path = "parts",
      .type = kTable,
@@ -337,6 +342,17 @@ constexpr StudyKey kKeys[] = {
      .high = 1.0,
      .supported = false},
 
+    {.path = "groups", .type = kTable, .meaning = "What is done with groups of lamps, by their names."},
+    {.path = "groups.*", .type = kTable, .meaning = "A group of lamps by its name."},
+    {.path = "groups.*.dimming",
+     .type = kNumber,
+     .fallback = "1.0",
+     .meaning =
+         "How bright the lamps of the group are, as a share of what they are given with. The daylight factor has "
+         "no lamps.",
+     .low = 0.0,
+     .high = 10.0},
+
     {.path = "grids[]", .type = kTables, .meaning = "Sensors. A study without any gets one grid with all defaults."},
     {.path = "grids[].name",
      .type = kText,
@@ -398,6 +414,17 @@ constexpr StudyKey kKeys[] = {
                 "are kept; beyond it the lightest lines are left out, `over_cap` in the summary.",
      .low = 1000.0,
      .high = 1e8},
+
+    {.path = "results", .type = kTable, .meaning = "What is given beside the illuminance of all light."},
+    {.path = "results.columns",
+     .type = kWord,
+     .fallback = "\"mix\"",
+     .meaning = "The illuminance of which sources is given apart, as columns `illuminance_lux_GROUP` with their errors "
+                "that add up to `illuminance_lux`. mix: none; groups: the sky with the ground beyond the model as one, "
+                "and each group of lamps; sky-145: the same with the sky in Tregenza's patches, from the horizon up "
+                "and in a row from north to east, and the ground apart; sky-577: in Reinhart's.",
+     .words = "mix",
+     .later = "groups sky-145 sky-577"},
 
     {.path = "accuracy", .type = kTable, .meaning = "How good the result must be."},
     {.path = "accuracy.target",

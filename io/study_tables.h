@@ -43,6 +43,10 @@ void read_sky_table(StudyValue& root, lighting::Study& study);
 /// and sensor files at fault.
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
 
+/// [results] and [groups].
+/// Throws InputError for names of groups that no column can bear.
+void read_results_table(const StudyValue& root, lighting::Study& study);
+
 /// [mesh].
 void read_mesh_table(const StudyValue& root, lighting::Study& study);
 

@@ -19,6 +19,7 @@ struct Glazing {
 struct Emission {
   std::optional<double> flux_lm;  ///< of each connected surface of the material
   std::optional<double> luminance_cd_m2;
+  std::string group{};  ///< whose light may be told apart (lighting/channels.h); none: named after the material
 };
 
 /// What one side of a surface does to light. Where nothing is said of the reflectance, the orientation of the side decides

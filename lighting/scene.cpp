@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <set>
 
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
@@ -197,8 +199,46 @@ Side shining_side(Scene& scene, FaceId face, Side asked, const std::string& name
   return mesh::other(asked);
 }
 
+double dimming_of(const Study& study, const std::string& group) {
+  for (const Dimming& dimming : study.dimming) {
+    if (dimming.group == group) return dimming.share;
+  }
+  return 1.0;
+}
+
+/// The group that a shining side names; none where it does not shine.
+std::optional<std::string> group_of(const Study& study, const Scene& scene, FaceSide side) {
+  const auto& emission = material_of(study, scene, side).emission;
+  if (!emission) return std::nullopt;
+  if (!emission->group.empty()) return emission->group;
+  return study.materials[scene.faces.faces[side.face.index()].material_of(side.side).index()].name;
+}
+
+/// Names are given in the order of the sources, those of points first.
+void find_groups(const Study& study, Scene& scene) {
+  scene.groups = SourceGroups(study.columns, scene.has_sky(), false, study.north_deg);
+  std::set<std::string> names;
+  for (PointSource& source : scene.point_sources) {
+    scene.point_group.push_back(scene.groups.add_lamps(source.group));
+    source.intensity_cd *= dimming_of(study, source.group);
+    names.insert(source.group);
+  }
+  for (std::size_t s = 0; s < 2 * scene.faces.count(); ++s) {
+    const auto name = group_of(study, scene, mesh::face_side(s));
+    if (!name) continue;
+    scene.groups.add_lamps(*name);
+    names.insert(*name);
+  }
+  for (const Dimming& dimming : study.dimming) {
+    if (names.contains(dimming.group)) continue;
+    throw InputError(study.name, 0, fmt::format("no lamps of a group '{}' are there to be dimmed", dimming.group),
+                     "lamps are grouped by `group`, surfaces that shine else by the name of their material");
+  }
+}
+
 void fill_exitances(const Study& study, Scene& scene) {
   scene.exitance.assign(2 * scene.faces.count() * scene.channels, 0.0F);
+  scene.side_group.assign(2 * scene.faces.count(), 0);
   const auto surface = connected_surfaces(scene);
   const auto area = areas_of(scene, surface);
   for (std::size_t s = 0; s < surface.size(); ++s) {
@@ -213,7 +253,10 @@ void fill_exitances(const Study& study, Scene& scene) {
     const std::string& name = study.materials[face.material_of(asked.side).index()].name;
     const Side side = both ? asked.side : shining_side(scene, asked.face, asked.side, name);
     const std::size_t first = FaceSide{asked.face, side}.index() * scene.channels;
-    std::fill_n(scene.exitance.begin() + static_cast<std::ptrdiff_t>(first), scene.channels, static_cast<float>(value));
+    const std::string group = *group_of(study, scene, asked);
+    std::fill_n(scene.exitance.begin() + static_cast<std::ptrdiff_t>(first), scene.channels,
+                static_cast<float>(dimming_of(study, group) * value));
+    scene.side_group[FaceSide{asked.face, side}.index()] = scene.groups.add_lamps(group);
   }
 }
 
@@ -283,6 +326,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
+  find_groups(study, scene);
   fill_exitances(study, scene);
   PhasePart reaching(watcher, kShareOfMaterials, kShareBeforeOpenings);
   find_reachable(scene, reaching);

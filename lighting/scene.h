@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lighting/channels.h"
 #include "lighting/glazing.h"
 #include "lighting/results.h"
 #include "lighting/study.h"
@@ -33,7 +34,7 @@ struct Opening {
 struct Scene {
   mesh::Faces faces;
   mesh::CleanReport clean_report;
-  std::size_t channels = 1;
+  std::size_t channels = 1;            ///< of all light together: its bands
   std::vector<float> channel_weights;  ///< of each channel in luminance; their sum is 1
 
   std::vector<float> reflectance;       ///< [sides × channels] diffuse; of glazing its hemispherical reflectance
@@ -50,6 +51,9 @@ struct Scene {
 
   Sky sky;
   std::vector<PointSource> point_sources;  ///< local coordinates
+  SourceGroups groups;                     ///< of sky, sun and lamps
+  std::vector<std::uint32_t> side_group;   ///< [sides] of those that shine
+  std::vector<std::uint32_t> point_group;  ///< [point sources]
   std::unique_ptr<mesh::Rays> rays;
   std::unique_ptr<mesh::Shafts> shafts;
   std::vector<Results::MaterialUse> materials;
@@ -74,7 +78,7 @@ struct Scene {
 };
 
 /// Cleans the model of a study, builds its faces, and finds openings, reachable sides and the materials of every side.
-/// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area.
+/// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area, dimming of lamps that are not there.
 /// @param progress  hears of the steps as phases; may be null
 Scene build_scene(const Study& study, Progress* progress = nullptr);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lighting/channels.h"
 #include "lighting/material.h"
 #include "lighting/sky.h"
 #include "mesh/clean.h"
@@ -22,6 +23,13 @@ struct PointSource {
   mesh::Vector aim{0.0, 0.0, -1.0};
   double intensity_cd = 0.0;
   bool lambertian = false;
+  std::string group = "lamps";  ///< whose light may be told apart (lighting/channels.h)
+};
+
+/// How bright the sources of a group are, as a share of what they are given with.
+struct Dimming {
+  std::string group;
+  double share = 1.0;
 };
 
 /// A grid of sensors, as asked for.
@@ -68,6 +76,8 @@ struct Study {
   std::vector<GridRequest> grids;
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;
+  Columns columns = Columns::kMix;  ///< whose results are given apart
+  std::vector<Dimming> dimming;     ///< of groups
   MeshRequest mesh;
   bool keep_solution = false;            ///< for sense()
   std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each

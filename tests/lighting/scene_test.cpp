@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/error.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/shapes.h"
 #include "tests/support/surface_checks.h"
@@ -66,6 +67,24 @@ TEST(Scene, AFluxIsSharedByBothSidesOfItsSurface) {
   const mesh::FaceId wall = support::faces_of(scene.faces, "wall").at(0);
   for (const mesh::Side side : {mesh::Side::kFront, mesh::Side::kBack})
     EXPECT_FLOAT_EQ(scene.side_exitance({wall, side})[0], 660.0F / 160.0F);
+}
+
+TEST(Scene, LampsAreInTheGroupsThatTheyNameAndDimmedWithThem) {
+  Study study = test::furnished_room_study();
+  study.columns = Columns::kGroups;
+  study.point_sources.push_back({.at = {2, 2, 2}, .intensity_cd = 8.0, .group = "desk"});
+  study.dimming = {{"lamp", 0.5}, {"desk", 0.25}};
+  const Scene scene = build_scene(study);
+  ASSERT_EQ(scene.groups.count(), 3U);
+  EXPECT_EQ(scene.groups[0].name, "sky");
+  EXPECT_EQ(scene.groups[scene.point_group[0]].name, "desk");
+  EXPECT_EQ(scene.point_sources[0].intensity_cd, 2.0);
+  const mesh::FaceId lamp = support::faces_of(scene.faces, "lamp").at(0);
+  const mesh::FaceSide shining{lamp, scene.shines({lamp, mesh::Side::kFront}) ? mesh::Side::kFront : mesh::Side::kBack};
+  EXPECT_EQ(scene.groups[scene.side_group[shining.index()]].name, "lamp");
+  EXPECT_FLOAT_EQ(scene.side_exitance(shining)[0], 500.0F);
+  study.dimming = {{"lmap", 0.5}};
+  EXPECT_THROW(build_scene(study), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lighting/sky_patches.h"
+#include "mesh/geometry.h"
+
+namespace clerestory::lighting {
+
+/// Whose results are given apart, beside those of all light.
+enum class Columns {
+  kMix,     ///< none
+  kGroups,  ///< the sky with its ground, the sun, and each group of lamps
+  kSky145,  ///< the same with the sky in Tregenza's patches, and the ground as one more
+  kSky577,  ///< … in Reinhart's
+};
+
+/// Sources whose light is known apart from that of all others.
+struct SourceGroup {
+  enum class Kind { kSky, kSkyPatch, kGround, kSun, kLamps };
+
+  std::string name;  ///< in columns: "sky", "sky-1" … "sky-145", "ground", "sun", or as lamps name it
+  Kind kind = Kind::kSky;
+};
+
+/// The source groups of a scene. A channel of the solution is one group in one band: number group · bands + band. All channels share one
+/// set of links, which is refined for the sum of all groups; group's results are their shares of it, and add up to it.
+/// Lamps name their group: PointSource::group, Emission::group.
+class SourceGroups {
+ public:
+  /// One group of everything.
+  SourceGroups() = default;
+  /// @param north_deg  from +y, counter-clockwise
+  SourceGroups(Columns columns, bool sky, bool sun, double north_deg);
+
+  /// Whether there are groups to be told apart.
+  [[nodiscard]] bool parted() const { return columns_ != Columns::kMix; }
+  [[nodiscard]] std::size_t count() const { return groups_.size(); }
+  [[nodiscard]] const SourceGroup& operator[](std::size_t group) const { return groups_[group]; }
+  [[nodiscard]] const std::vector<SourceGroup>& all() const { return groups_; }
+
+  /// The group of lamps of that name, made where it is not there yet; 0 where nothing is told apart.
+  /// Throws InputError for the name of a group of the sky or the sun.
+  std::uint32_t add_lamps(const std::string& name);
+  /// The group of the sky, or of the ground beyond the model, in a unit direction that points away from the observer.
+  [[nodiscard]] std::uint32_t of_sky(const mesh::Vector& direction) const;
+  /// The group of the sun; there must be one, or nothing is told apart.
+  [[nodiscard]] std::uint32_t of_sun() const { return sun_; }
+  /// The patches of the sky, whose groups are 0 up to their count, with the ground behind them. Meaningful for kSky145 and kSky577.
+  [[nodiscard]] const SkyPatches& patches() const { return patches_; }
+  [[nodiscard]] bool has_patches() const { return columns_ == Columns::kSky145 || columns_ == Columns::kSky577; }
+
+ private:
+  Columns columns_ = Columns::kMix;
+  SkyPatches patches_;
+  std::uint32_t sun_ = 0;
+  std::vector<SourceGroup> groups_{SourceGroup{"all", SourceGroup::Kind::kSky}};
+};
+
+/// Light of one group, where only some groups have any.
+struct GroupLight {
+  std::uint32_t group = 0;
+  double lux = 0.0;
+};
+
+/// Adds up light by group. Adds nothing where the groups are not told apart.
+class GroupSums {
+ public:
+  explicit GroupSums(const SourceGroups& groups) : lux_(groups.parted() ? groups.count() : 0, 0.0) {}
+
+  void add(std::uint32_t group, double lux) {
+    if (!lux_.empty()) lux_[group] += lux;
+  }
+  /// Those that have any, by number.
+  [[nodiscard]] std::vector<GroupLight> lit() const;
+
+ private:
+  std::vector<double> lux_;
+};
+
+}  // namespace clerestory::lighting

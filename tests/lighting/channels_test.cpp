@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/channels.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/error.h"
+
+namespace clerestory::lighting {
+namespace {
+
+TEST(SourceGroups, OneGroupHoldsAllWhereNothingIsToldApart) {
+  SourceGroups groups;
+  EXPECT_FALSE(groups.parted());
+  EXPECT_EQ(groups.count(), 1U);
+  EXPECT_EQ(groups.add_lamps("row-a"), 0U);
+  EXPECT_EQ(groups.of_sky({0.0, 0.0, 1.0}), 0U);
+  EXPECT_EQ(groups.count(), 1U);
+}
+
+TEST(SourceGroups, LampsOfOneNameShareAGroup) {
+  SourceGroups groups(Columns::kGroups, true, true, 0.0);
+  EXPECT_EQ(groups.count(), 2U);
+  EXPECT_EQ(groups[groups.of_sun()].name, "sun");
+  EXPECT_EQ(groups[groups.of_sky({0.0, 0.6, -0.8})].name, "sky");
+  const std::uint32_t a = groups.add_lamps("row-a");
+  const std::uint32_t b = groups.add_lamps("row-b");
+  EXPECT_NE(a, b);
+  EXPECT_EQ(groups.add_lamps("row-a"), a);
+  EXPECT_EQ(groups.count(), 4U);
+}
+
+TEST(SourceGroups, PatchesComeFirstAndTheGroundBehindThem) {
+  const SourceGroups groups(Columns::kSky145, true, false, 0.0);
+  EXPECT_EQ(groups.count(), 146U);
+  EXPECT_EQ(groups[0].name, "sky-1");
+  EXPECT_EQ(groups[145].name, "ground");
+  EXPECT_EQ(groups.of_sky({0.0, 0.0, 1.0}), 144U);
+  EXPECT_EQ(groups.of_sky({0.0, 0.6, -0.8}), 145U);
+  EXPECT_EQ(SourceGroups(Columns::kSky577, true, false, 0.0).count(), 578U);
+}
+
+TEST(SourceGroups, LampsCannotBearTheNameOfDaylight) {
+  SourceGroups groups(Columns::kGroups, true, false, 0.0);
+  EXPECT_THROW(groups.add_lamps("sky"), InputError);
+}
+
+TEST(GroupSums, TellWhatIsLitAndNothingWhereGroupsAreOne) {
+  const SourceGroups groups(Columns::kSky145, true, false, 0.0);
+  GroupSums sums(groups);
+  sums.add(7, 1.5);
+  sums.add(145, 2.0);
+  sums.add(7, 0.5);
+  const std::vector<GroupLight> lit = sums.lit();
+  ASSERT_EQ(lit.size(), 2U);
+  EXPECT_EQ(lit[0].group, 7U);
+  EXPECT_EQ(lit[0].lux, 2.0);
+  EXPECT_EQ(lit[1].group, 145U);
+  GroupSums none{SourceGroups()};
+  none.add(0, 1.0);
+  EXPECT_TRUE(none.lit().empty());
+}
+
+}  // namespace
+}  // namespace clerestory::lighting
