@@ -30,7 +30,7 @@ struct SourceGroup {
 
 /// The source groups of a scene. A channel of the solution is one group in one band: number group · bands + band. All channels share one
 /// set of links, which is refined for the sum of all groups; group's results are their shares of it, and add up to it.
-/// Lamps name their group: PointSource::group, Emission::group.
+/// Lamps name their group: Luminaire::group, Emission::group.
 class SourceGroups {
  public:
   /// One group of everything.

@@ -9,9 +9,9 @@
 #include <span>
 
 #include "lighting/light_paths.h"
+#include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
-#include "lighting/point_light.h"
 #include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
@@ -151,7 +151,7 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
     result.below.open_sky = true;
     survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
   }
-  survey_point_sources(e, places, result.total);
+  survey_luminaires(e, places, result.total);
   result.fit = fit_line(places.samples, true);
   return result;
 }
@@ -179,9 +179,9 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   for (const std::uint32_t k : survey.below.minor) {
     if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
   }
-  const double by_points = point_source_mean(e);
-  result.received += by_points;
-  result.total += by_points;
+  const double by_luminaires = luminaire_mean(e);
+  result.received += by_luminaires;
+  result.total += by_luminaires;
   return result;
 }
 
@@ -255,11 +255,11 @@ void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, d
   }
 }
 
-void DirectSampler::survey_point_sources(ElementId e, Places& places, double& total) const {
-  if (scene().point_sources.empty()) return;
+void DirectSampler::survey_luminaires(ElementId e, Places& places, double& total) const {
+  if (scene().luminaires.empty()) return;
   const Vector& normal = solution_.tree().normal(e);
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const double lux = point_source_illuminance(scene(), places.lifted[i], normal);
+    const double lux = luminaire_illuminance(scene(), places.lifted[i], normal).value;
     places.samples[i].value += lux;
     total += lux / kPoints;
   }
@@ -355,15 +355,15 @@ double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32
   return lux.variance;
 }
 
-double DirectSampler::point_source_mean(ElementId e) const {
+double DirectSampler::luminaire_mean(ElementId e) const {
   constexpr std::uint32_t kPlaces = 32;
-  if (scene().point_sources.empty()) return 0.0;
+  if (scene().luminaires.empty()) return 0.0;
   const mesh::ElementTree& tree = solution_.tree();
   const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
   double sum = 0.0;
   for (std::uint32_t i = 0; i < kPlaces; ++i) {
     const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-    sum += point_source_illuminance(scene(), at, tree.normal(e)) / kPlaces;
+    sum += luminaire_illuminance(scene(), at, tree.normal(e)).value / kPlaces;
   }
   return sum;
 }

@@ -70,10 +70,10 @@ class DirectSampler {
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
   void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
-  void survey_point_sources(mesh::ElementId e, Places& places, double& total) const;
+  void survey_luminaires(mesh::ElementId e, Places& places, double& total) const;
   double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
-  [[nodiscard]] double point_source_mean(mesh::ElementId e) const;
+  [[nodiscard]] double luminaire_mean(mesh::ElementId e) const;
 
   const Solution& solution_;
   const Importance& importance_;

@@ -77,13 +77,13 @@ std::vector<Candidate> all_sources(const Scene& scene) {
     const double own = luminance(scene.side_exitance(mesh::face_side(s)), scene.channel_weights);
     if (own > 0.0) found.push_back(polygon(scene, mesh::face_side(s), own));
   }
-  for (const PointSource& point : scene.point_sources) {
+  for (const Luminaire& luminaire : scene.luminaires) {
     Candidate candidate;
     candidate.source.kind = ShadowSource::Kind::kPoint;
-    candidate.source.at = point.at;
-    candidate.source.power = (point.lambertian ? 1.0 : 4.0) * std::numbers::pi * point.intensity_cd;
-    candidate.exitance = point.intensity_cd;
-    candidate.name = "point source";
+    candidate.source.at = luminaire.at;
+    candidate.source.power = luminaire.flux_lm();
+    candidate.exitance = luminaire.peak_cd();
+    candidate.name = luminaire.name;
     found.push_back(std::move(candidate));
   }
   std::erase_if(found, [](const Candidate& c) {

@@ -9,10 +9,10 @@
 #include "lighting/dark_share.h"
 #include "lighting/emitters.h"
 #include "lighting/light_paths.h"
+#include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
-#include "lighting/point_light.h"
 #include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "lighting/seen_factor.h"
@@ -94,8 +94,8 @@ std::uint32_t first_rays(double accuracy) {
 
 struct SensorState {
   std::vector<Part> parts;
-  double exact_lux = 0.0;           ///< proven views of emitters, point sources
-  double discretisation_lux = 0.0;  ///< error that the solution's own errors make here
+  double exact_lux = 0.0;           ///< proven views of emitters, luminaires
+  double discretisation_lux = 0.0;  ///< error that the solution's own errors make here, and that of luminaires' areas
 
   [[nodiscard]] double mean() const {
     double sum = exact_lux;
@@ -166,7 +166,8 @@ class Gatherer {
     SensorState state;
     const std::uint32_t rays = roughly ? 1 : first_rays_;
     for (std::uint32_t k = 0; k < emitters_.size(); ++k) see_emitter(k, rays, sensor, at, normal, state);
-    state.exact_lux += point_source_illuminance(scene(), at, normal);
+    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal);
+    state.exact_lux += by_luminaires.value;
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, normal, state);
     Part hemisphere;
     ErrorSums wrong{};
@@ -176,7 +177,7 @@ class Gatherer {
       extend(hemisphere, 2 * hemisphere.rays, sensor, at, normal, nullptr);
     }
     state.parts.push_back(hemisphere);
-    state.discretisation_lux = discretisation(wrong, rays * kReplicates);
+    state.discretisation_lux = std::hypot(discretisation(wrong, rays * kReplicates), by_luminaires.error);
     return state;
   }
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "lighting/light_paths.h"
+#include "lighting/luminaire_light.h"
 #include "lighting/parallel.h"
-#include "lighting/point_light.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -78,7 +78,7 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
       const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
       LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
-      walked.lux += weight * (seen.sky_lux + point_source_illuminance(scene, at, facing));
+      walked.lux += weight * (seen.sky_lux + luminaire_illuminance(scene, at, facing).value);
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;
       const ElementId node = solution.tree().find(seen.point.side, seen.point.region, seen.point.at);
@@ -116,9 +116,7 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
     area_m2 += tree.area(root);
     flux_lm += tree.area(root) * luminance(scene.side_exitance(tree.face_side(root)), scene.channel_weights);
   }
-  for (const PointSource& source : scene.point_sources) {
-    flux_lm += (source.lambertian ? 1.0 : 4.0) * std::numbers::pi * source.intensity_cd;
-  }
+  for (const Luminaire& luminaire : scene.luminaires) flux_lm += luminaire.flux_lm();
   const double by_sky = scene.has_sky() ? kSkyShare * scene.sky.horizontal_illuminance_lux : 0.0;
   return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
 }

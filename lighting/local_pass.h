@@ -43,7 +43,7 @@ class LocalPass {
   /// The part of it that comes from surfaces that shine and from point sources, luminance-weighted [lux]: it is exact at every point. Nothing where
   /// at() gives nothing, and where it takes rays, as panes or a crowd stand before a surface that shines.
   [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
-  [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().point_sources.empty(); }
+  [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().luminaires.empty(); }
   /// Whether at() gives nothing.
   [[nodiscard]] bool as_solved(mesh::ElementId element) const;
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "lighting/luminaire_light.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
@@ -214,14 +215,14 @@ std::optional<std::string> group_of(const Study& study, const Scene& scene, Face
   return study.materials[scene.faces.faces[side.face.index()].material_of(side.side).index()].name;
 }
 
-/// Names are given in the order of the sources, those of points first.
+/// Names are given in the order of the sources, those of luminaires first.
 void find_groups(const Study& study, Scene& scene) {
   scene.groups = SourceGroups(study.columns, scene.has_sky(), false, study.north_deg);
   std::set<std::string> names;
-  for (PointSource& source : scene.point_sources) {
-    scene.point_group.push_back(scene.groups.add_lamps(source.group));
-    source.intensity_cd *= dimming_of(study, source.group);
-    names.insert(source.group);
+  for (Luminaire& luminaire : scene.luminaires) {
+    scene.luminaire_group.push_back(scene.groups.add_lamps(luminaire.group));
+    luminaire.factor *= dimming_of(study, luminaire.group);
+    names.insert(luminaire.group);
   }
   for (std::size_t s = 0; s < 2 * scene.faces.count(); ++s) {
     const auto name = group_of(study, scene, mesh::face_side(s));
@@ -264,7 +265,8 @@ void find_reachable(Scene& scene, Progress& progress) {
   std::vector<std::uint8_t> seeds(2 * scene.faces.count(), 0);
   for (std::size_t s = 0; s < seeds.size(); ++s) seeds[s] = scene.shines(mesh::face_side(s)) ? 1 : 0;
   std::vector<mesh::Point> points;
-  for (const PointSource& p : scene.point_sources) points.push_back(p.at);
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k)
+    points.push_back(light_start(scene.luminaires[k], scene.flush_faces[k]));
   scene.reachable = mesh::reachable_sides(scene.faces, *scene.rays, seeds, points, &progress);
   scene.has_elements = scene.reachable;
   for (std::size_t f = 0; f < scene.faces.count(); ++f) {
@@ -288,7 +290,7 @@ void find_rooms(const Study& study, Scene& scene, Progress& progress) {
 }
 
 void say_what_lights(Scene& scene) {
-  const bool lamps = !scene.point_sources.empty() ||
+  const bool lamps = !scene.luminaires.empty() ||
                      std::any_of(scene.exitance.begin(), scene.exitance.end(), [](float m) { return m > 0.0F; });
   if (lamps) return;
   const bool outside =
@@ -315,15 +317,15 @@ Scene build_scene(const Study& study, Progress* progress) {
   watcher.phase("faces");
   scene.faces = mesh::build_faces(surface, {}, &watcher);
   scene.sky = study.sky;
-  for (PointSource p : study.point_sources) {
-    p.at = p.at - scene.faces.origin;
-    p.aim = normalized(p.aim);
-    scene.point_sources.push_back(p);
+  for (Luminaire luminaire : study.luminaires) {
+    luminaire.at = luminaire.at - scene.faces.origin;
+    scene.luminaires.push_back(std::move(luminaire));
   }
   count_channels(study, scene);
   find_passable(study, scene);
   scene.rays = std::make_unique<mesh::Rays>(scene.faces, scene.passable);
   scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
+  for (const Luminaire& luminaire : scene.luminaires) scene.flush_faces.push_back(flush_faces(scene, luminaire));
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
   find_groups(study, scene);

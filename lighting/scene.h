@@ -50,10 +50,11 @@ struct Scene {
   mesh::Rooms rooms;
 
   Sky sky;
-  std::vector<PointSource> point_sources;  ///< local coordinates
-  SourceGroups groups;                     ///< of sky, sun and lamps
-  std::vector<std::uint32_t> side_group;   ///< [sides] of those that shine
-  std::vector<std::uint32_t> point_group;  ///< [point sources]
+  std::vector<Luminaire> luminaires;                   ///< local coordinates
+  std::vector<std::vector<mesh::FaceId>> flush_faces;  ///< [luminaires] what they are mounted in
+  SourceGroups groups;                                 ///< of sky, sun and lamps
+  std::vector<std::uint32_t> side_group;               ///< [sides] of those that shine
+  std::vector<std::uint32_t> luminaire_group;          ///< [luminaires]
   std::unique_ptr<mesh::Rays> rays;
   std::unique_ptr<mesh::Shafts> shafts;
   std::vector<Results::MaterialUse> materials;

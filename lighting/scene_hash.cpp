@@ -69,18 +69,31 @@ std::uint64_t hash_of_materials(const Scene& scene) {
   return digest.value();
 }
 
+void add_luminaire(const Luminaire& luminaire, Digest& digest) {
+  digest.add(luminaire.at);
+  digest.add(luminaire.axes.u);
+  digest.add(luminaire.axes.w);
+  digest.add(luminaire.factor);
+  const LuminousOpening& opening = luminaire.opening;
+  digest.add(static_cast<int>(opening.shape));
+  digest.add(mesh::Vector{opening.x_m, opening.y_m, opening.z_m});
+  const PhotometricWeb& web = *luminaire.web;
+  digest.add(web.poles().pole);
+  digest.add(web.poles().zero);
+  digest.add(web.poles().quarter);
+  digest.add_all(web.grid().polar_deg);
+  digest.add_all(web.grid().azimuth_deg);
+  digest.add_all(web.grid().candela);
+  digest.add(web.grid().closed);
+}
+
 std::uint64_t hash_of_sources(const Scene& scene) {
   Digest digest;
   digest.add_all(scene.exitance);
   digest.add(static_cast<int>(scene.sky.type));
   digest.add(scene.sky.horizontal_illuminance_lux);
   digest.add(scene.sky.ground_reflectance);
-  for (const PointSource& source : scene.point_sources) {
-    digest.add(source.at);
-    digest.add(source.aim);
-    digest.add(source.intensity_cd);
-    digest.add(source.lambertian);
-  }
+  for (const Luminaire& luminaire : scene.luminaires) add_luminaire(luminaire, digest);
   return digest.value();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lighting/channels.h"
+#include "lighting/luminaire.h"
 #include "lighting/material.h"
 #include "lighting/sky.h"
 #include "mesh/clean.h"
@@ -16,15 +17,6 @@
 #include "mesh/rooms.h"
 
 namespace clerestory::lighting {
-
-/// A point that shines, far-field: intensity I0 [cd] in every direction, or I0·cos θ about `aim`.
-struct PointSource {
-  mesh::Point at;  ///< model coordinates [m]
-  mesh::Vector aim{0.0, 0.0, -1.0};
-  double intensity_cd = 0.0;
-  bool lambertian = false;
-  std::string group = "lamps";  ///< whose light may be told apart (lighting/channels.h)
-};
 
 /// How bright the sources of a group are, as a share of what they are given with.
 struct Dimming {
@@ -72,7 +64,7 @@ struct Study {
   std::vector<Material> materials;  ///< one a model material, in the model's order
   mesh::CleanOptions clean;
   Sky sky;
-  std::vector<PointSource> point_sources;
+  std::vector<Luminaire> luminaires;  ///< model coordinates
   std::vector<GridRequest> grids;
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -129,7 +130,7 @@ TEST(DirectLight, WhatStandsBeyondAnOpeningBecomesLinksThatCompleteTheSky) {
 
 TEST(DirectLight, LampLightsAClosedRoomWithAllItsFlux) {
   Study study = test::study_of(support::box_room(4, 5, 3), 0.0, {2, 2, 0.5});
-  study.point_sources.push_back({.at = {1.3, 2.1, 1.7}, .intensity_cd = 100.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1.3, 2.1, 1.7}, 100.0));
   const Lit lit(study);
   double flux = 0.0;
   for (const ElementId e : lit.solution.elements()) {
@@ -140,7 +141,7 @@ TEST(DirectLight, LampLightsAClosedRoomWithAllItsFlux) {
 
 TEST(DirectLight, LampInAClosedRoomLeavesTheOutsideDark) {
   Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 0.5});
-  study.point_sources.push_back({.at = {1.3, 2.1, 1.7}, .intensity_cd = 100.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1.3, 2.1, 1.7}, 100.0));
   const Lit lit(study);
   for (const std::string part : {"floor", "wall", "ceiling"}) {
     EXPECT_EQ(lit.received(part, mesh::Side::kBack), 0.0) << part;

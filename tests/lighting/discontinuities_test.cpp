@@ -12,6 +12,7 @@
 
 #include "tests/lighting/stages.h"
 #include "tests/support/blocked_lamp.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -66,7 +67,7 @@ TEST(Discontinuities, FinerAccuracyKeepsMoreLines) {
 TEST(Discontinuities, PointSourcesGiveShadowEdges) {
   Study study = lamp_room();
   for (Material& m : study.materials) m.front.emission.reset();
-  study.point_sources.push_back({{3, 2, 2.5}, {0, 0, -1}, 100.0, false});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({3, 2, 2.5}, 100.0));
   const Scene scene = build_scene(study);
   const SceneLines found = lines_at(scene, 0.02);
   ASSERT_GT(found.lines.size(), 3U);
@@ -175,12 +176,12 @@ TEST(Discontinuities, EstimatedJumpsOfCurvatureAreThoseOfExactLight) {
 TEST(Discontinuities, EstimatedJumpsOfLightAreThoseOfExactLight) {
   Study study = study_of({rectangle(0.6, 0.3, 3.0), 0.0, {rectangle(0.5, 0.4, 1.5)}});
   for (Material& m : study.materials) m.front.emission.reset();
-  study.point_sources.push_back({{0.1, 0.2, 2.8}, {0, 0, -1}, 100.0, false});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({0.1, 0.2, 2.8}, 100.0));
   const Scene scene = build_scene(study);
   const SceneLines found = lines_at(scene, 1e-9);
   EXPECT_GT(found.lines.size(), 3U);
   for (const mesh::DiscontinuityLine& line : found.lines) {
-    const Vector to = study.point_sources[0].at - (midpoint(line.ends[0], line.ends[1]) + scene.faces.origin);
+    const Vector to = study.luminaires[0].at - (midpoint(line.ends[0], line.ends[1]) + scene.faces.origin);
     const double lux = 100.0 * to.z / std::pow(norm(to), 3);
     if (lux <= 0.0) continue;  // on the back of the lamp
     EXPECT_NEAR(estimated_jump(scene, found.sources, line), lux, 1e-6 * lux);

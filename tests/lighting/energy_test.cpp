@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -63,7 +64,7 @@ TEST(EnergyBalance, WhatLeavesAnOpenBoxFollowsTheFormFactor) {
 
 TEST(EnergyBalance, LampsFluxIsReceivedAndAbsorbed) {
   Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1});
-  study.point_sources.push_back({.at = {1.3, 2.1, 1.7}, .intensity_cd = 100.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1.3, 2.1, 1.7}, 100.0));
   const EnergyBalance e = balance_of(study);
   EXPECT_EQ(e.emitted_lm, 0.0);
   EXPECT_NEAR(e.received_lm, 400.0 * std::numbers::pi, 5.0);

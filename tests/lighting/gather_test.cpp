@@ -11,6 +11,7 @@
 
 #include "tests/lighting/stages.h"
 #include "tests/support/blocked_lamp.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -54,7 +55,7 @@ TEST(Gather, PointSourceIsExactAndShadowed) {
   mesh::Model model = support::box_room(4, 4, 3);
   support::add_quad(model, {0, 0, 1}, {1, 0, 1}, {1, 4, 1}, {0, 4, 1}, {"shelf", "shelf"});
   Study study = test::study_of(std::move(model), 0.0, {2, 2, 0.5});
-  study.point_sources.push_back({.at = {0.5, 2, 2.5}, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({0.5, 2, 2.5}, 1000.0));
   const Gathered lit = gathered(test::Solved(study), {{3, 2, 0}, {0.5, 2, 0.5}}, {{0, 0, 1}, {0, 0, 1}});
   EXPECT_NEAR(lit.illuminance_lux[0], 1000.0 * 2.5 / std::pow(12.5, 1.5), 1e-2);
   EXPECT_NEAR(lit.illuminance_lux[1], 0.0, 1e-4);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/path_tracer.h"
 #include "tests/support/shapes.h"
 
@@ -23,7 +24,7 @@ constexpr double kFloorToCeiling = 0.28273279;
 /// With a lamp, without which a closed room has no elements.
 Study room() {
   Study study = test::study_of(support::box_room(4, 4, 3), 0.5, {2, 2, 1});
-  study.point_sources.push_back({.at = {2, 2, 2}, .intensity_cd = 1.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({2, 2, 2}, 1.0));
   return study;
 }
 

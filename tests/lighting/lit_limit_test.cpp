@@ -16,6 +16,7 @@
 #include "mesh/subdivision.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/cages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 // Points of curved parts are lit with the normal of their limit surface.
@@ -76,7 +77,7 @@ std::pair<double, double> exact_at(const SurfaceResult& s, std::uint32_t point, 
 TEST(LitLimit, LightFromAPointSourceFallsOnTheOutsideByTheLimitsNormal) {
   Study study = ball_in_a_room(0.0, 0.02);
   const Point source{1.2, 2.3, 2.8};
-  study.point_sources.push_back({.at = source, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp(source, 1000.0));
   const SurfaceResult s = shown_surfaces(study);
   std::size_t lit = 0;
   for (const std::uint32_t p : points_of_ball(s, mesh::Side::kFront)) {
@@ -94,7 +95,7 @@ TEST(LitLimit, LightFromAPointSourceFallsOnTheInsideByTheLimitsNormal) {
   constexpr double kChordM = 0.002;
   Study study = ball_in_a_room(0.0, kChordM);
   const Point source{1.9, 2.1, 1.6};
-  study.point_sources.push_back({.at = source, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp(source, 1000.0));
   const SurfaceResult s = shown_surfaces(study);
   const auto inside = points_of_ball(s, mesh::Side::kBack);
   EXPECT_GT(inside.size(), 40U);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/path_tracer.h"
 #include "tests/support/shapes.h"
 
@@ -149,7 +150,7 @@ TEST(Radiosity, MeanInAClosedRoomIsTheIntegratingSpheres) {
   // Φ/(A(1 − ρ)), of which the direct light is Φ/A.
   for (const double rho : {0.2, 0.5, 0.8}) {
     Study study = test::study_of(support::box_room(4, 5, 3), rho, {2, 2, 1});
-    study.point_sources.push_back({.at = {1.3, 2.1, 1.7}, .intensity_cd = 10'000.0 / (4.0 * std::numbers::pi)});
+    study.luminaires.push_back(clerestory::test::isotropic_lamp({1.3, 2.1, 1.7}, 10'000.0 / (4.0 * std::numbers::pi)));
     const Solved s(study);
     std::vector<ElementId> fronts;
     for (const std::string part : {"floor", "ceiling", "wall"}) {

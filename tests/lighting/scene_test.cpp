@@ -5,6 +5,7 @@
 
 #include "mesh/error.h"
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 #include "tests/support/surface_checks.h"
 
@@ -72,13 +73,14 @@ TEST(Scene, AFluxIsSharedByBothSidesOfItsSurface) {
 TEST(Scene, LampsAreInTheGroupsThatTheyNameAndDimmedWithThem) {
   Study study = test::furnished_room_study();
   study.columns = Columns::kGroups;
-  study.point_sources.push_back({.at = {2, 2, 2}, .intensity_cd = 8.0, .group = "desk"});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({2, 2, 2}, 8.0));
+  study.luminaires.back().group = "desk";
   study.dimming = {{"lamp", 0.5}, {"desk", 0.25}};
   const Scene scene = build_scene(study);
   ASSERT_EQ(scene.groups.count(), 3U);
   EXPECT_EQ(scene.groups[0].name, "sky");
-  EXPECT_EQ(scene.groups[scene.point_group[0]].name, "desk");
-  EXPECT_EQ(scene.point_sources[0].intensity_cd, 2.0);
+  EXPECT_EQ(scene.groups[scene.luminaire_group[0]].name, "desk");
+  EXPECT_EQ(scene.luminaires[0].peak_cd(), 2.0);
   const mesh::FaceId lamp = support::faces_of(scene.faces, "lamp").at(0);
   const mesh::FaceSide shining{lamp, scene.shines({lamp, mesh::Side::kFront}) ? mesh::Side::kFront : mesh::Side::kBack};
   EXPECT_EQ(scene.groups[scene.side_group[shining.index()]].name, "lamp");

@@ -14,6 +14,7 @@
 #include "mesh/subdivision.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/cages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -139,7 +140,7 @@ Parted parted(const SurfaceResult& s, double x, double up_to_y = std::numeric_li
 TEST(SurfaceValues, LightDoesNotCrossAContact) {
   // A wall stands on one floor; only the room x < 3 is lit. Points along its foot are either lit or dark.
   Study study = test::study_of(support::two_rooms_with_thin_wall(), 0.5, {1.5, 2, 1});
-  study.point_sources.push_back({.at = {1.5, 2, 2.5}, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1.5, 2, 2.5}, 1000.0));
   const test::Solved solved(study);
   const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   const Parted foot = parted(s, 3.0);
@@ -154,7 +155,7 @@ TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
   mesh::Model model = support::box_room(4, 4, 3);
   support::add_quad(model, {2, 0, 0}, {2, 3, 0}, {2, 3, 2}, {2, 0, 2}, {"screen", "screen"});
   Study study = test::study_of(std::move(model), 0.0, {1, 2, 1});
-  study.point_sources.push_back({.at = {1, 2, 1}, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1, 2, 1}, 1000.0));
   const test::Solved solved(study);
   const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   const Parted foot = parted(s, 2.0, 2.5);
@@ -166,7 +167,7 @@ TEST(SurfaceValues, LightDoesNotCrossTheFootOfAScreenWithAFreeEnd) {
 
 TEST(SurfaceValues, HangingPointsHaveWhatTheEdgesOfLargerCellsHave) {
   Study study = test::study_of(support::box_room(4, 4, 3), 0.3, {1, 2, 1});
-  study.point_sources.push_back({.at = {1, 2, 0.6}, .intensity_cd = 1000.0});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({1, 2, 0.6}, 1000.0));
   const test::Solved solved(study);
   const SurfaceResult s = surface_values(solved.solution, solved.transport.errors);
   int hanging = 0;

@@ -150,14 +150,13 @@ double PathTracer::from_emitters(const Vertex& vertex, Random& random) const {
 
 double PathTracer::from_points(const Vertex& vertex) const {
   double sum = 0.0;
-  for (const lighting::PointSource& source : scene_.point_sources) {
-    const Point at = source.at - scene_.faces.origin;
+  for (const lighting::Luminaire& luminaire : scene_.luminaires) {
+    const Point at = luminaire.at - scene_.faces.origin;
     const Vector d = at - vertex.at;
     const double r = norm(d);
     const double cosine = dot(d, vertex.normal) / r;
-    const double shape = source.lambertian ? std::max(0.0, -dot(d, source.aim) / r) : 1.0;
-    if (cosine <= 0.0 || shape <= 0.0) continue;
-    sum += source.intensity_cd * shape * cosine / (r * r) * unblocked(vertex, at);
+    if (cosine <= 0.0) continue;
+    sum += luminaire.intensity_cd(-d / r) * cosine / (r * r) * unblocked(vertex, at);
   }
   return sum;
 }

@@ -33,7 +33,7 @@ struct TracedScene {
   std::unique_ptr<mesh::Rays> rays;
   std::vector<TracedFace> materials;
   lighting::Sky sky;
-  std::vector<lighting::PointSource> point_sources;
+  std::vector<lighting::Luminaire> luminaires;
 };
 
 struct TraceOptions {

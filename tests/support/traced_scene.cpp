@@ -47,7 +47,7 @@ TracedScene traced_scene(const lighting::Study& study) {
     scene.materials.push_back(traced_face(study.materials[m], area_m2[m]));
   }
   scene.sky = study.sky;
-  scene.point_sources = study.point_sources;
+  scene.luminaires = study.luminaires;
   return scene;
 }
 

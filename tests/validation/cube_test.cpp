@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 #include "tests/validation/cube_reference.h"
 #include "tests/validation/statistics.h"
@@ -32,7 +33,7 @@ const std::vector<PublishedPoint> kPublished{{2, 2, {{0, 198.944}, {.2, 227.82},
 
 lighting::Study cube_study(double reflectance, double accuracy) {
   lighting::Study study = grey_study(support::box_room(kCubeSide_m, kCubeSide_m, kCubeSide_m), reflectance);
-  study.point_sources.push_back({.at = {2, 2, 2}, .intensity_cd = kCubeFlux_lm / (4.0 * std::numbers::pi)});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({2, 2, 2}, kCubeFlux_lm / (4.0 * std::numbers::pi)));
   study.accuracy.target = accuracy;
   return study;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 #include "tests/validation/studies.h"
 
@@ -51,7 +52,7 @@ class Leak : public testing::TestWithParam<Turn> {
                       {.material = "lamp", .part = "lamp"});
     lighting::Study study = grey_study(support::rotated(std::move(model), GetParam().axis, angle()), 0.7);
     shine(material(study, "lamp"), 5000.0);
-    study.point_sources.push_back({.at = place({2.9, 2.1, 0.3}), .intensity_cd = 500.0});
+    study.luminaires.push_back(clerestory::test::isotropic_lamp(place({2.9, 2.1, 0.3}), 500.0));
     std::vector<mesh::Point> points;
     for (const double x : {kWall_m + 0.5 * GetParam().thickness_m + 0.002, 3.2, 4.5, 5.9})
       for (const double y : {0.003, 1.3, 2.0, 3.997})

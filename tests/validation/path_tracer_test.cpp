@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lamps.h"
 #include "tests/support/places.h"
 #include "tests/support/shapes.h"
 #include "tests/support/traced_scene.h"
@@ -107,7 +108,7 @@ TEST(PathTracer, ClosedBoxOfOneReflectanceAndEmissionIsAFurnace) {
 
 TEST(PathTracer, PointSourceInAClosedCubeGivesThePublishedTotalIlluminance) {
   lighting::Study study = grey_study(support::box_room(4, 4, 4), 0.5);
-  study.point_sources.push_back({.at = {2, 2, 2}, .intensity_cd = 10'000.0 / (4.0 * std::numbers::pi)});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({2, 2, 2}, 10'000.0 / (4.0 * std::numbers::pi)));
   expect_within_noise(trace_one(study, {2, 2, 0.0001}, {0, 0, 1}, {.paths = 20'000}), 310.98);
   expect_within_noise(trace_one(study, {1, 1, 0.0001}, {0, 0, 1}, {.paths = 20'000}), 216.08);
 }

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/luminaire_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lighting/light_paths.h"
+
+namespace clerestory::lighting {
+
+using mesh::Point;
+using mesh::Vector;
+
+namespace {
+
+/// The cosine of incidence of a ray on the side of a face that it meets.
+double incidence(const Scene& scene, const mesh::Hit& hit, const Vector& direction) {
+  return std::abs(dot(direction, scene.faces.faces[hit.face.index()].frame.w));
+}
+
+float glazing_share(const Scene& scene, const mesh::Hit& hit, const Vector& direction,
+                    mesh::TransmittanceCurve GlazingCurves::*curve) {
+  const std::int32_t glazing = scene.glazing_of[hit.face.index()];
+  if (glazing < 0) return curve == &GlazingCurves::transmittance ? 1.0F : 0.0F;
+  return mesh::transmittance_at(scene.glazings[static_cast<std::size_t>(glazing)].*curve,
+                                static_cast<float>(incidence(scene, hit, direction)));
+}
+
+/// How far from a luminous opening nothing stands in its way [m] (science.md §8: the housing, and the edge of its cut-out).
+constexpr double kHousing = 0.05;
+/// A ceiling that a luminaire is flush with may slope by so much against it: the cosine of 2.6°.
+constexpr double kParallel = 0.999;
+
+/// A luminaire that does not black itself out.
+struct Lit {
+  const Scene& scene;
+  const Luminaire& luminaire;
+  const std::vector<mesh::FaceId>& flush;
+
+  /// Whether an opaque face that is met between two points of a ray is part of the luminaire, or what it is mounted in.
+  [[nodiscard]] bool is_own(const mesh::Hit& hit, const Point& at, const Point& from) const {
+    if (std::find(flush.begin(), flush.end(), hit.face) != flush.end()) return dot(from - at, luminaire.axes.w) < 0.0;
+    const Vector own = luminaire.to_own(at - luminaire.at);
+    const LuminousOpening& o = luminaire.opening;
+    return std::abs(own.x) <= 0.5 * o.x_m + kHousing && std::abs(own.y) <= 0.5 * o.y_m + kHousing &&
+           std::abs(own.z) <= 0.5 * o.z_m + kHousing;
+  }
+};
+
+/// What passes from a point towards another, up to the first meeting with `until` (not counted) where that is given.
+struct Way {
+  float passed = 1.0F;
+  bool met = false;
+  Point at;  ///< where `until` was met
+  mesh::Hit hit;
+};
+
+Way way(const Lit& lit, const Point& start, const Point& to, mesh::FaceId until) {
+  Way result;
+  const Scene& scene = lit.scene;
+  const Vector direction = normalized(to - start);
+  Point from = start;
+  for (int panes = 0; panes < kMostPanes; ++panes) {
+    const double left = norm(to - from);
+    const mesh::Hit hit = scene.rays->first_hit({from, direction});
+    if (!hit.face.valid() || hit.distance >= left) return result;
+    const Point at = from + hit.distance * direction;
+    if (until.valid() && hit.face == until) {
+      result.met = true;
+      result.at = at;
+      result.hit = hit;
+      return result;
+    }
+    if (scene.passable[hit.face.index()] != 0) {
+      result.passed *= glazing_share(scene, hit, direction, &GlazingCurves::transmittance);
+    } else if (!lit.is_own(hit, at, start)) {
+      break;
+    }
+    from = at + scene.rays->offset_m() * direction;
+    if (dot(to - from, direction) <= 0.0) return result;
+  }
+  result.passed = 0.0F;
+  return result;
+}
+
+/// Illuminance by one place of a luminous opening, as if all of the luminaire's light came from there.
+double from_place(const Luminaire& luminaire, const Point& place, const Point& at, const Vector& normal) {
+  const Vector d = place - at;
+  const double distance2 = dot(d, d);
+  const double cosine = dot(d, normal);
+  if (cosine <= 0.0 || distance2 <= 0.0) return 0.0;
+  const double distance = std::sqrt(distance2);
+  return luminaire.intensity_cd(-d / distance) * cosine / (distance2 * distance);
+}
+
+AreaMean straight(const Lit& lit, const Point& at, const Vector& normal) {
+  return mean_over_opening(lit.luminaire, at, [&](const Point& place) {
+    const double lux = from_place(lit.luminaire, place, at, normal);
+    return lux > 0.0 ? lux * way(lit, at, place, {}).passed : 0.0;
+  });
+}
+
+/// The mirror image of points and directions in a plane.
+struct Mirror {
+  Point origin;
+  Vector w;  ///< unit normal
+
+  [[nodiscard]] Vector of(const Vector& v) const { return v - 2.0 * dot(v, w) * w; }
+  [[nodiscard]] Point of(const Point& p) const { return p - 2.0 * dot(p - origin, w) * w; }
+};
+
+/// By one reflection in the pane of a face.
+AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vector& normal) {
+  const Scene& scene = lit.scene;
+  const mesh::Face& pane = scene.faces.faces[face.index()];
+  const Mirror mirror{pane.origin, pane.frame.w};
+  const double height = dot(at - pane.origin, mirror.w);
+  if (dot(lit.luminaire.at - pane.origin, mirror.w) * height <= 0.0) return {};
+  const Vector back = (height > 0.0 ? 1.0 : -1.0) * mirror.w;
+  Luminaire image = lit.luminaire;
+  image.at = mirror.of(image.at);
+  image.axes = {mirror.of(image.axes.u), mirror.of(image.axes.v), mirror.of(image.axes.w)};
+  return mean_over_opening(image, at, [&](const Point& place) {
+    const double lux = from_place(image, place, at, normal);
+    if (lux <= 0.0) return 0.0;
+    const Way to_pane = way(lit, at, place, face);
+    if (!to_pane.met) return 0.0;
+    const float share =
+        glazing_share(scene, to_pane.hit, normalized(place - at), &GlazingCurves::reflectance) * to_pane.passed;
+    if (share <= kLeastWeight) return 0.0;
+    return lux * share * way(lit, to_pane.at + scene.rays->offset_m() * back, mirror.of(place), {}).passed;
+  });
+}
+
+void add(const AreaMean& light, AreaMean& sum) {
+  sum.value += light.value;
+  sum.error = std::hypot(sum.error, light.error);
+}
+
+/// Half of the height of a luminaire's box, enlarged.
+double half_box(const Luminaire& luminaire) { return 0.5 * luminaire.opening.z_m + kHousing; }
+
+}  // namespace
+
+AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vector& normal) {
+  return mean_over_opening(luminaire, at, [&](const Point& place) { return from_place(luminaire, place, at, normal); });
+}
+
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal) {
+  AreaMean sum;
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const Lit lit{scene, scene.luminaires[k], scene.flush_faces[k]};
+    add(straight(lit, at, normal), sum);
+    for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+      if (scene.glazing_of[f] >= 0) add(mirrored(lit, mesh::FaceId(f), at, normal), sum);
+    }
+  }
+  return sum;
+}
+
+std::vector<mesh::FaceId> flush_faces(const Scene& scene, const Luminaire& luminaire) {
+  std::vector<mesh::FaceId> found;
+  const Vector& w = luminaire.axes.w;
+  const double reach = 2.0 * half_box(luminaire);
+  for (const auto& [x, y] : {std::array{0.0, 0.0}, {-0.49, -0.49}, {-0.49, 0.49}, {0.49, -0.49}, {0.49, 0.49}}) {
+    const Vector own{x * luminaire.opening.x_m, y * luminaire.opening.y_m, -half_box(luminaire)};
+    const Point start = luminaire.place(own);
+    for (double done = 0.0; done < reach;) {
+      const mesh::Hit hit = scene.rays->first_hit({start + done * w, w});
+      if (!hit.face.valid() || done + hit.distance > reach) break;
+      const bool across = std::abs(dot(scene.faces.faces[hit.face.index()].frame.w, w)) > kParallel;
+      if (across && scene.passable[hit.face.index()] == 0) found.push_back(hit.face);
+      done += hit.distance + scene.rays->offset_m();
+    }
+  }
+  std::sort(found.begin(), found.end(), [](mesh::FaceId a, mesh::FaceId b) { return a.index() < b.index(); });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Point light_start(const Luminaire& luminaire, const std::vector<mesh::FaceId>& flush) {
+  const bool free = flush.empty() && luminaire.opening.shape == LuminousOpening::Shape::kPoint;
+  return free ? luminaire.at : luminaire.at - (half_box(luminaire) + 1e-3) * luminaire.axes.w;
+}
+
+}  // namespace clerestory::lighting
