@@ -22,6 +22,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS # never without components: it would as
   RenderingFreeType)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(IfcPlusPlus REQUIRED)
+find_package(Libnova MODULE REQUIRED)
 find_package(OpenSubdiv MODULE REQUIRED)
 
 if(CLERESTORY_TESTS)

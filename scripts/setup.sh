@@ -21,6 +21,7 @@ packages=(
   libgtest-dev
   libhdf5-dev
   libifcplusplus-dev
+  libnova-dev
   libosd-dev
   libtbb-dev
   libtomlplusplus-dev

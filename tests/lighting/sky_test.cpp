@@ -42,6 +42,31 @@ TEST(Sky, BelowTheHorizonLiesTheGround) {
   EXPECT_NEAR(sky_luminance({.ground_reflectance = 0.3}, {0.6, 0.0, -0.8}), 0.3 * 10'000.0 / std::numbers::pi, 1e-9);
 }
 
+TEST(Sky, TheGroundSeesTheSunThatShines) {
+  Sky sky{.ground_reflectance = 0.3};
+  sky.sun = {.towards = {0.0, 0.6, 0.8}, .normal_illuminance_lux = 50'000.0};
+  EXPECT_NEAR(sky_luminance(sky, {0.6, 0.0, -0.8}), 0.3 * (10'000.0 + 40'000.0) / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(sky_luminance(sky, {0.0, 0.6, 0.8}), sky_luminance({}, {0.0, 0.6, 0.8}), 1e-9);
+  sky.sun.towards = {0.0, 0.8, -0.6};
+  EXPECT_NEAR(sky_luminance(sky, {0.6, 0.0, -0.8}), 0.3 * 10'000.0 / std::numbers::pi, 1e-9);
+}
+
+TEST(Sky, ADistributionGivesItsHorizontalIlluminanceAndItsZenith) {
+  const mesh::Vector sun{0.0, 0.6, 0.8};
+  for (int type = 1; type <= 15; ++type) {
+    Sky sky = sky_of(cie_general_sky(type, sun), 20'000.0);
+    const double zenith = sky_luminance(sky, {0.0, 0.0, 1.0});
+    EXPECT_NEAR(horizontal_illuminance_of(sky, zenith), 20'000.0, 1e-6) << type;
+    EXPECT_LE(sky_luminance(sky, sun), sky_luminance_bound(sky)) << type;
+  }
+}
+
+TEST(Sky, TheZenithFixesTheHorizontalIlluminance) {
+  EXPECT_NEAR(horizontal_illuminance_of({.type = Sky::Type::kUniform}, 1000.0), 1000.0 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(horizontal_illuminance_of({.type = Sky::Type::kCieOvercast}, 9000.0), 7000.0 * std::numbers::pi, 1e-9);
+  EXPECT_EQ(horizontal_illuminance_of({.type = Sky::Type::kNone}, 9000.0), 0.0);
+}
+
 TEST(Sky, NoSkyIsBlackAndLightsNoGround) {
   EXPECT_EQ(sky_luminance({.type = Sky::Type::kNone}, {0.0, 0.0, 1.0}), 0.0);
   EXPECT_EQ(sky_luminance({.type = Sky::Type::kNone}, {0.0, 0.0, -1.0}), 0.0);
