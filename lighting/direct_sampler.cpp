@@ -32,7 +32,6 @@ constexpr std::uint32_t kProbes = 256;
 constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
 constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
 constexpr std::uint32_t kMostRays = 512;
-constexpr double kBrightest = 9.0 / 7.0;    ///< zenith of the overcast sky, against a sky of its mean luminance
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
@@ -53,7 +52,7 @@ struct Collector {
     const Scene& scene = solution->scene();
     const float rho = luminance(scene.side_reflectance(seen.side), scene.channel_weights);
     const float own = luminance(scene.side_exitance(seen.side), scene.channel_weights);
-    guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.horizontal_illuminance_lux);
+    guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.ground_illuminance_lux());
   }
   void sky(const Vector& direction, float weight, bool) {
     sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
@@ -103,7 +102,12 @@ struct DirectSampler::Start {
 
 DirectSampler::DirectSampler(const Solution& solution, const Importance& importance, double tolerance_lux,
                              std::uint64_t seed)
-    : solution_(solution), importance_(importance), tolerance_lux_(tolerance_lux), seed_(seed) {
+    : solution_(solution),
+      importance_(importance),
+      tolerance_lux_(tolerance_lux),
+      seed_(seed),
+      brightest_(sky_luminance_bound(solution.scene().sky)),
+      sun_(solution, seed) {
   for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
 }
 
@@ -153,6 +157,7 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
   }
   survey_luminaires(e, places, result.total);
   result.fit = fit_line(places.samples, true);
+  add_sun(candidate, result);
   return result;
 }
 
@@ -180,12 +185,15 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
     if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
   }
   const double by_luminaires = luminaire_mean(e);
-  result.received += by_luminaires;
-  result.total += by_luminaires;
+  const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
+  const ReplicateMean by_sun = sun_.mean(e, survey.below.sun, allowed);
+  result.received += by_luminaires + by_sun.mean;
+  result.total += by_luminaires + by_sun.mean;
+  result.noise = std::hypot(result.noise, by_sun.standard_error());
   return result;
 }
 
-/// A bound on what an opening can give a node, were all of it bright sky [lux].
+/// A bound on what an opening can give a node, were all of it as bright as sky and ground get [lux].
 double DirectSampler::most_light(ElementId e, std::uint32_t k) const {
   const mesh::ElementTree& tree = solution_.tree();
   const mesh::ShaftEnd& end = ends_[k];
@@ -194,7 +202,7 @@ double DirectSampler::most_light(ElementId e, std::uint32_t k) const {
   const double distance = norm(tree.centroid(e) - centre) - reach;
   if (distance <= 0.0) return std::numeric_limits<double>::infinity();
   const double share = std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
-  return kBrightest * scene().sky.horizontal_illuminance_lux * share;
+  return std::numbers::pi * brightest_ * share;
 }
 
 /// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
@@ -263,6 +271,17 @@ void DirectSampler::survey_luminaires(ElementId e, Places& places, double& total
     places.samples[i].value += lux;
     total += lux / kPoints;
   }
+}
+
+/// The edges of the sun's light ask for more places than what is smooth: it is fitted by itself.
+void DirectSampler::add_sun(const DirectCandidate& candidate, DirectSurvey& result) const {
+  const SunSurvey sun = sun_.survey(candidate.node, candidate.sun);
+  result.below.sun = sun.view;
+  result.fit.line.value += sun.fit.line.value;
+  result.fit.line.slope_u += sun.fit.line.slope_u;
+  result.fit.line.slope_v += sun.fit.line.slope_v;
+  result.fit.residual = std::hypot(result.fit.residual, sun.fit.residual);
+  result.total += sun.mean_lux;
 }
 
 /// A ray from a place of a node towards an opening, or into the open hemisphere.

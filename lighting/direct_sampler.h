@@ -8,6 +8,7 @@
 #include "lighting/linear_fit.h"
 #include "lighting/seen_surfaces.h"
 #include "lighting/solution.h"
+#include "lighting/sun_sampler.h"
 
 namespace clerestory::lighting {
 
@@ -19,6 +20,7 @@ struct DirectCandidate {
   std::vector<std::uint32_t> openings;  ///< those that may be seen
   std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
   bool open_sky = true;                 ///< may see the sky by no opening
+  SunView sun = SunView::kUnknown;
 };
 
 /// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
@@ -70,6 +72,7 @@ class DirectSampler {
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
   void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
+  void add_sun(const DirectCandidate& candidate, DirectSurvey& result) const;
   void survey_luminaires(mesh::ElementId e, Places& places, double& total) const;
   double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
@@ -79,6 +82,8 @@ class DirectSampler {
   const Importance& importance_;
   double tolerance_lux_;
   std::uint64_t seed_;
+  double brightest_;  ///< no more luminance outdoors [cd/m²]
+  SunSampler sun_;
   std::vector<mesh::ShaftEnd> ends_;  ///< the openings
 };
 

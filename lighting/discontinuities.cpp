@@ -64,13 +64,29 @@ Candidate polygon(const Scene& scene, FaceSide side, double exitance) {
   return candidate;
 }
 
+/// Its power is what it sends through the openings; where nothing marks these, what it sends on the whole scene.
+Candidate sun(const Scene& scene) {
+  const Sun& sun = scene.sky.sun;
+  Candidate candidate;
+  candidate.source.kind = ShadowSource::Kind::kDirection;
+  candidate.source.towards = sun.towards;
+  candidate.exitance = sun.normal_illuminance_lux;
+  candidate.name = "sun";
+  double area_m2 = 0.0;
+  for (const Opening& opening : scene.openings)
+    area_m2 += opening.area_m2 * std::max(0.0, dot(opening.outward, sun.towards));
+  const double size_m = scene.rays->bounds().diagonal();
+  candidate.source.power = sun.normal_illuminance_lux * (area_m2 > 0.0 ? area_m2 : size_m * size_m);
+  return candidate;
+}
+
 std::vector<Candidate> all_sources(const Scene& scene) {
   std::vector<Candidate> found;
   for (const Opening& opening : scene.openings) {
     const std::int32_t glazing = scene.glazing_of[opening.face.index()];
     const double passed =
         glazing < 0 ? 1.0 : scene.glazings[static_cast<std::size_t>(glazing)].hemispherical_transmittance;
-    found.push_back(polygon(scene, {opening.face, opening.inside}, passed * scene.sky.horizontal_illuminance_lux));
+    found.push_back(polygon(scene, {opening.face, opening.inside}, passed * scene.sky.diffuse_illuminance_lux()));
     found.back().source.sky = true;
   }
   for (std::size_t s = 0; s < 2 * scene.faces.count(); ++s) {
@@ -86,6 +102,7 @@ std::vector<Candidate> all_sources(const Scene& scene) {
     candidate.name = luminaire.name;
     found.push_back(std::move(candidate));
   }
+  if (scene.sky.sun.shines()) found.push_back(sun(scene));
   std::erase_if(found, [](const Candidate& c) {
     return c.source.kind == ShadowSource::Kind::kPolygon && c.source.outline.empty();
   });
@@ -95,6 +112,8 @@ std::vector<Candidate> all_sources(const Scene& scene) {
 /// Illuminance of a place by a source without occluders.
 double unoccluded(const ShadowSources& sources, std::size_t i, const Point& at, const Vector& normal) {
   const ShadowSource& source = sources.sources[i];
+  if (source.kind == ShadowSource::Kind::kDirection)
+    return sources.exitance_lm_m2[i] * std::max(0.0, dot(source.towards, normal));
   if (source.kind == ShadowSource::Kind::kPoint) {
     const Vector to = source.at - at;
     const double squared = dot(to, to);

@@ -20,7 +20,7 @@ struct ShadowSources {
   std::vector<mesh::ShadowSource> sources;
   std::vector<std::string> names;  ///< part or material of each
   std::vector<double>
-      exitance_lm_m2;  ///< of polygons: what shines, the sky through a pane included; of points their intensity [cd]
+      exitance_lm_m2;  ///< of polygons: what shines, the sky through a pane included; of points their intensity [cd], of the sun its normal illuminance
   std::size_t left_out = 0;  ///< sources beyond the number that is taken
 };
 

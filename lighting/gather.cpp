@@ -16,6 +16,7 @@
 #include "lighting/replicates.h"
 #include "lighting/sampling.h"
 #include "lighting/seen_factor.h"
+#include "lighting/sun_light.h"
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
 
@@ -56,7 +57,7 @@ using Replicates = std::array<double, kReplicates>;
 
 /// One part of a sensor's light: sums over rays, a replicate each.
 struct Part {
-  enum class Kind { kHemisphere, kOpening, kEmitter };
+  enum class Kind { kHemisphere, kOpening, kEmitter, kSun };
 
   Kind kind = Kind::kHemisphere;
   std::uint32_t which = 0;  ///< opening or emitter
@@ -94,7 +95,7 @@ std::uint32_t first_rays(double accuracy) {
 
 struct SensorState {
   std::vector<Part> parts;
-  double exact_lux = 0.0;           ///< proven views of emitters, luminaires
+  double exact_lux = 0.0;           ///< proven views of emitters, luminaires, a sun without a disc
   double discretisation_lux = 0.0;  ///< error that the solution's own errors make here, and that of luminaires' areas
 
   [[nodiscard]] double mean() const {
@@ -168,6 +169,7 @@ class Gatherer {
     for (std::uint32_t k = 0; k < emitters_.size(); ++k) see_emitter(k, rays, sensor, at, normal, state);
     const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal);
     state.exact_lux += by_luminaires.value;
+    see_sun(rays, sensor, at, normal, state);
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, normal, state);
     Part hemisphere;
     ErrorSums wrong{};
@@ -236,6 +238,9 @@ class Gatherer {
         case Part::Kind::kEmitter:
           look_at_emitter(part, r, until, points, at, normal);
           break;
+        case Part::Kind::kSun:
+          look_at_sun(part, r, until, points, at, normal);
+          break;
       }
     }
     part.rays = until;
@@ -277,6 +282,30 @@ class Gatherer {
       part.sums[r] += part.full_lux * seen.kernel * seen.passed;
       part.norms[r] += seen.kernel;
     }
+  }
+
+  void look_at_sun(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
+                   const Vector& normal) const {
+    for (std::uint32_t i = part.rays; i < until; ++i) {
+      const Vector towards = sun_direction(scene().sky.sun, points.at(i, 0), points.at(i, 1));
+      part.sums[r] += sun_illuminance(scene(), at, normal, towards);
+      part.norms[r] += 1.0;
+    }
+  }
+
+  /// A point of light is seen or not; of a disc a sensor in the penumbra sees a share.
+  void see_sun(std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
+               SensorState& state) const {
+    const Sun& sun = scene().sky.sun;
+    if (!sun.shines()) return;
+    if (!sun.disc) {
+      state.exact_lux += sun_illuminance(scene(), at, normal);
+      return;
+    }
+    Part part;
+    part.kind = Part::Kind::kSun;
+    extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
+    state.parts.push_back(part);
   }
 
   void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,

@@ -9,6 +9,7 @@
 #include "lighting/luminaire_light.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
+#include "lighting/sun_light.h"
 #include "mesh/hash.h"
 
 namespace clerestory::lighting {
@@ -79,6 +80,7 @@ Walked walk(const Solution& solution, const Point& position, const Vector& norma
       LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
       walked.lux += weight * (seen.sky_lux + luminaire_illuminance(scene, at, facing).value);
+      walked.lux += weight * sun_illuminance(scene, at, facing);
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;
       const ElementId node = solution.tree().find(seen.point.side, seen.point.region, seen.point.at);
@@ -117,7 +119,7 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
     flux_lm += tree.area(root) * luminance(scene.side_exitance(tree.face_side(root)), scene.channel_weights);
   }
   for (const Luminaire& luminaire : scene.luminaires) flux_lm += luminaire.flux_lm();
-  const double by_sky = scene.has_sky() ? kSkyShare * scene.sky.horizontal_illuminance_lux : 0.0;
+  const double by_sky = scene.has_sky() ? kSkyShare * scene.sky.ground_illuminance_lux() : 0.0;
   return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
 }
 

@@ -12,6 +12,7 @@
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
+#include "lighting/sun_light.h"
 
 namespace clerestory::lighting {
 
@@ -178,7 +179,10 @@ std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Poi
 
 LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) const {
   const mesh::ElementTree& tree = solution_.tree();
-  Sum sum(solution_, errors_, luminaire_illuminance(solution_.scene(), receiver.from, receiver.normal).value);
+  const Scene& scene = solution_.scene();
+  Sum sum(solution_, errors_,
+          luminaire_illuminance(scene, receiver.from, receiver.normal).value +
+              sun_illuminance(scene, receiver.from, receiver.normal));
   for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
@@ -196,6 +200,7 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal};
   double lux = luminaire_illuminance(solution_.scene(), receiver.from, normal).value;
+  lux += sun_illuminance(solution_.scene(), receiver.from, normal);
   for (const Emitter& emitter : emitters_) {
     const EmitterView view = look(solution_, emitter, receiver.from, normal);
     const SeenFactor seen = seen_factor(solution_, emitter, view, receiver.from, normal);

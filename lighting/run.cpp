@@ -120,17 +120,13 @@ void to_model(Sensors& sensors, const mesh::Vector& origin) {
   }
 }
 
-double horizontal_illuminance(const Sky& sky) {
-  return sky.type == Sky::Type::kNone ? 0.0 : sky.horizontal_illuminance_lux;
-}
-
 void evaluate(const Study& study, const Solution& solution, const SolutionErrors& errors, GridResult& grid,
               std::uint64_t seed, Progress& progress) {
   const Gathered gathered =
       gather(solution, errors, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
   grid.illuminance_lux = gathered.illuminance_lux;
   grid.error_lux = gathered.error_lux;
-  const double outside = horizontal_illuminance(study.sky);
+  const double outside = study.sky.diffuse_illuminance_lux();
   if (study.kind == Study::Kind::kDaylight && outside > 0.0) {
     for (const float e : grid.illuminance_lux) {
       grid.daylight_factor_percent.push_back(static_cast<float>(100.0 * e / outside));
@@ -232,7 +228,7 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
   results.counts.faces = scene.faces.count();
   results.counts.openings = scene.openings.size();
   results.counts.rays = scene.rays->use().rays;
-  results.horizontal_illuminance_lux = horizontal_illuminance(study.sky);
+  results.horizontal_illuminance_lux = study.sky.diffuse_illuminance_lux();
   results.accuracy_target = study.accuracy.target;
   results.stopped = progress.stopped();
   if (results.stopped && results.stopped->by == Stop::By::kElements)

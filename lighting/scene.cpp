@@ -15,6 +15,7 @@
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
+#include "lighting/sun_light.h"
 #include "mesh/error.h"
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
@@ -333,6 +334,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   PhasePart reaching(watcher, kShareOfMaterials, kShareBeforeOpenings);
   find_reachable(scene, reaching);
   find_openings(scene);
+  scene.pane_normals = pane_normals(scene);
   PhasePart looking(watcher, kShareBeforeOpenings, kShareBeforeRooms);
   find_rooms(study, scene, looking);
   scene.materials = material_uses(study);

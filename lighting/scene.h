@@ -50,6 +50,7 @@ struct Scene {
   mesh::Rooms rooms;
 
   Sky sky;
+  std::vector<mesh::Vector> pane_normals;              ///< in which the sun is mirrored; one of those that are parallel
   std::vector<Luminaire> luminaires;                   ///< local coordinates
   std::vector<std::vector<mesh::FaceId>> flush_faces;  ///< [luminaires] what they are mounted in
   SourceGroups groups;                                 ///< of sky, sun and lamps
@@ -69,7 +70,8 @@ struct Scene {
   }
   /// Whether a side is glass, and so a mirror.
   [[nodiscard]] bool is_pane(mesh::FaceSide s) const { return glazing_of[s.face.index()] >= 0; }
-  [[nodiscard]] bool has_sky() const { return sky.type != Sky::Type::kNone && sky.horizontal_illuminance_lux > 0.0; }
+  /// Whether light comes from outdoors: of the sky, or of the sun and the ground that it lights.
+  [[nodiscard]] bool has_sky() const { return sky.ground_illuminance_lux() > 0.0; }
   [[nodiscard]] bool shines(mesh::FaceSide s) const {
     for (const float m : side_exitance(s)) {
       if (m > 0.0F) return true;

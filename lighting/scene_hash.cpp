@@ -93,6 +93,12 @@ std::uint64_t hash_of_sources(const Scene& scene) {
   digest.add(static_cast<int>(scene.sky.type));
   digest.add(scene.sky.horizontal_illuminance_lux);
   digest.add(scene.sky.ground_reflectance);
+  const SkyDistribution& sky = scene.sky.distribution;
+  for (const double value : {sky.a, sky.b, sky.c, sky.d, sky.e, sky.k, scene.sky.luminance_scale}) digest.add(value);
+  digest.add(sky.towards_sun);
+  digest.add(scene.sky.sun.towards);
+  digest.add(scene.sky.sun.normal_illuminance_lux);
+  digest.add(scene.sky.sun.disc);
   for (const Luminaire& luminaire : scene.luminaires) add_luminaire(luminaire, digest);
   return digest.value();
 }

@@ -16,8 +16,7 @@ double ground_luminance(const Sky& sky) { return sky.ground_reflectance * sky.gr
 }  // namespace
 
 double Sky::ground_illuminance_lux() const {
-  const double by_sky = type == Type::kNone ? 0.0 : horizontal_illuminance_lux;
-  return by_sky + (sun.shines() ? sun.normal_illuminance_lux * sun.towards.z : 0.0);
+  return diffuse_illuminance_lux() + (sun.shines() ? sun.normal_illuminance_lux * sun.towards.z : 0.0);
 }
 
 Sky sky_of(const SkyDistribution& distribution, double horizontal_illuminance_lux) {

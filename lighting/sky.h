@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "lighting/sky_distribution.h"
 #include "mesh/geometry.h"
 
@@ -24,10 +26,15 @@ struct Sky {
   double horizontal_illuminance_lux = 10'000.0;  ///< unobstructed, from the sky without the sun
   double ground_reflectance = 0.2;               ///< of the ground beyond the model
   SkyDistribution distribution{};                ///< for kDistribution
+  std::string name = "sky";                      ///< for kDistribution: what it is called, for texts
   double luminance_scale = 0.0;                  ///< for kDistribution: luminance [cd/m²] over relative luminance
   Sun sun{};
 
-  /// Unobstructed, of the ground: from the sky, and the sun [lux].
+  /// Unobstructed, from the sky without the sun: nothing of no sky [lux].
+  [[nodiscard]] double diffuse_illuminance_lux() const {
+    return type == Type::kNone ? 0.0 : horizontal_illuminance_lux;
+  }
+  /// Unobstructed, from the sky and the sun [lux].
   [[nodiscard]] double ground_illuminance_lux() const;
 };
 

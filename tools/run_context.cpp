@@ -12,7 +12,7 @@ namespace clerestory::tools {
 
 namespace {
 
-std::string sky_in_words(const lighting::Sky& sky) {
+std::string sky_alone_in_words(const lighting::Sky& sky) {
   switch (sky.type) {
     case lighting::Sky::Type::kNone:
       return "no sky";
@@ -20,8 +20,15 @@ std::string sky_in_words(const lighting::Sky& sky) {
       return fmt::format("uniform sky of {:.6g} lx", sky.horizontal_illuminance_lux);
     case lighting::Sky::Type::kCieOvercast:
       return fmt::format("CIE overcast sky of {:.6g} lx", sky.horizontal_illuminance_lux);
+    case lighting::Sky::Type::kDistribution:
+      return fmt::format("{} of {:.6g} lx", sky.name, sky.horizontal_illuminance_lux);
   }
   return {};
+}
+
+std::string sky_in_words(const lighting::Sky& sky) {
+  if (!sky.sun.shines()) return sky_alone_in_words(sky);
+  return fmt::format("{}, sun of {:.6g} lx", sky_alone_in_words(sky), sky.sun.normal_illuminance_lux);
 }
 
 /// Local time with its offset, as in ISO 8601.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "lighting/scene.h"
+#include "lighting/sky.h"
+#include "mesh/geometry.h"
+
+namespace clerestory::lighting {
+
+/// Across, as seen from the earth [degrees].
+inline constexpr double kSunDiameterDeg = 0.533;
+
+/// The direction towards the place of the sun's disc that belongs to (a, b) in the unit square, uniform in solid angle; of a sun without a
+/// disc its own.
+mesh::Vector sun_direction(const Sun& sun, double a, double b);
+
+/// The normals of a scene's panes, one of those that are parallel.
+std::vector<mesh::Vector> pane_normals(const Scene& scene);
+
+/// Illuminance by the sun at a point off the scene's surfaces, were all its light to come from one direction [lux]: straight, through panes
+/// by their angle and openings, and as panes mirror it. Exact for a sun without a disc.
+double sun_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal,
+                       const mesh::Vector& towards);
+
+/// The same of the whole sun: of a disc the mean over a fixed pattern of places, whose penumbras have as many steps.
+double sun_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
+
+}  // namespace clerestory::lighting
