@@ -218,7 +218,7 @@ std::optional<std::string> group_of(const Study& study, const Scene& scene, Face
 
 /// Names are given in the order of the sources, those of luminaires first.
 void find_groups(const Study& study, Scene& scene) {
-  scene.groups = SourceGroups(study.columns, scene.has_sky(), false, study.north_deg);
+  scene.groups = SourceGroups(study.columns, scene.has_sky(), scene.sky.sun.shines(), study.north_deg);
   std::set<std::string> names;
   for (Luminaire& luminaire : scene.luminaires) {
     scene.luminaire_group.push_back(scene.groups.add_lamps(luminaire.group));
