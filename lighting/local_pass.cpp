@@ -32,7 +32,7 @@ constexpr std::uint32_t kFewRays = 8;
 constexpr std::uint32_t kLeastRays = 32;
 constexpr double kMostRays = 2.56;
 /// Errors of what surfaces reflect are brought to this many times the accuracy.
-constexpr double kGoal = 3.0;
+constexpr double kGoal = 2.0;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
 /// which are more evenly spread together.
 constexpr std::size_t kParts = 8;

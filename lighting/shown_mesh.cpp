@@ -42,7 +42,7 @@ constexpr double kStripM = 0.02;
 /// Sources whose lines are looked for, the strongest.
 constexpr std::size_t kMostSources = 12;
 /// Small scenes may have so many lines, surfaces and points all the same.
-constexpr std::size_t kFewLines = 64;
+constexpr std::size_t kFewLines = 100;
 constexpr std::size_t kFewSurfaces = 5000;
 /// A surface whose lines would make more triangles each has fewer of them: where details or crossings crowd.
 constexpr double kTrianglesPerLine = 100.0;

@@ -30,7 +30,7 @@ struct LineSelection {
 };
 
 struct SelectionOptions {
-  std::size_t most_per_face = 60;
+  std::size_t most_per_face = 100;
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< on all faces together
   double distance_m = 1e-3;                                    ///< lines closer to each other are one
 };
