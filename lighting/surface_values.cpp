@@ -175,18 +175,35 @@ class SurfaceWriter {
     result_.luminance_cd_m2[cell.cell] = radiosity / std::numbers::pi_v<float>;
   }
 
+  /// Place, side and smooth surface.
+  [[nodiscard]] std::array<std::uint32_t, 3> curved_key(ElementId root, std::uint32_t place) const {
+    const mesh::FaceSide side = tree_.face_side(root);
+    return {place, static_cast<std::uint32_t>(side.side), surface_of_[side.face.index()][region_of(root)]};
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> with_normal(std::span<const std::uint32_t> points,
+                                                         const Vector& normal) const {
+    for (const std::uint32_t point : points) {
+      if (dot(result_.point_normals[point], normal) > kSmoothCosine) return point;
+    }
+    return std::nullopt;
+  }
+
+  /// The point of the limit surface that a point of a curved face stands for, its normal that of the side; nothing where the face is flat.
+  [[nodiscard]] std::optional<mesh::LimitPoint> limit_of(ElementId root, const Point& p) const {
+    const mesh::FaceSide side = tree_.face_side(root);
+    auto limit = solution_.scene().faces.limit(side.face, p);
+    if (limit && side.side == mesh::Side::kBack) limit->normal = -limit->normal;
+    return limit;
+  }
+
   /// A point of a curved part: one for all elements of that side of one smooth surface whose normals agree there.
   /// @param place  the element that asks, and where in it; its limit's normal is that of the side
   std::uint32_t curved_point(ElementId root, const LimitPlace& place) {
-    const mesh::FaceSide side = tree_.face_side(root);
     const mesh::LimitPoint& limit = place.limit;
     const Vector& normal = limit.normal;
-    const std::array<std::uint32_t, 3> key{places_.add(limit.at), static_cast<std::uint32_t>(side.side),
-                                           surface_of_[side.face.index()][region_of(root)]};
-    std::vector<std::uint32_t>& known = curved_points_[key];
-    for (const std::uint32_t point : known) {
-      if (dot(result_.point_normals[point], normal) > kSmoothCosine) return point;
-    }
+    std::vector<std::uint32_t>& known = curved_points_[curved_key(root, places_.add(limit.at))];
+    if (const auto point = with_normal(known, normal)) return *point;
     known.push_back(add_point(limit.at, normal));
     limit_places_.push_back(place);
     limit_points_.push_back(known.back());
@@ -195,10 +212,7 @@ class SurfaceWriter {
 
   /// A corner of a cell with that middle: one for all cells of a region, but for those on the other side of a contact.
   std::uint32_t point_of(ElementId element, ElementId root, const Point& p, const Point& middle) {
-    if (auto limit = solution_.scene().faces.limit(tree_.face_side(root).face, p)) {
-      if (tree_.face_side(root).side == mesh::Side::kBack) limit->normal = -limit->normal;
-      return curved_point(root, {element, inside_from(p, middle), *limit});
-    }
+    if (const auto limit = limit_of(root, p)) return curved_point(root, {element, inside_from(p, middle), *limit});
     const std::array<std::uint32_t, 3> key{root.value, sectors_.at(tree_.face_side(root).face, p, middle),
                                            flat_places_.add(p)};
     const auto [entry, added] = points_.try_emplace(key, static_cast<std::uint32_t>(result_.points.size()));
@@ -206,7 +220,7 @@ class SurfaceWriter {
     return entry->second;
   }
 
-  /// An edge of a cell of a flat surface, and the middle of the cell.
+  /// An edge of a cell, and the middle of the cell; in the plane of its face.
   struct Edge {
     ElementId root;
     std::array<std::uint32_t, 2> points;
@@ -214,8 +228,8 @@ class SurfaceWriter {
     Point middle;
   };
 
-  /// Where small cells meet a large one, their points on its edge get what its edge has there: so there are no cracks [Baum, Mann, Smith,
-  /// Winget 1991]. The large ones go first, as ends of their edges may hang on larger ones.
+  /// Where small cells meet a large one, their points on its edge get what its edge has there, and on curved parts its place: so there are no
+  /// cracks [Baum, Mann, Smith, Winget 1991]. The large ones go first, as ends of their edges may hang on larger ones.
   void anchor() {
     const auto length = [](const Edge& edge) { return norm(edge.ends[1] - edge.ends[0]); };
     std::stable_sort(edges_.begin(), edges_.end(), [&](const Edge& a, const Edge& b) { return length(a) > length(b); });
@@ -224,15 +238,28 @@ class SurfaceWriter {
 
   void anchor(const Edge& edge) {
     const Point at = midpoint(edge.ends[0], edge.ends[1]);
+    const auto found = hanging_at(edge, at);
+    if (!found) return;
+    const auto [a, b] = edge.points;
+    sums_[*found] = 0.5 * (sums_[a] + sums_[b]);
+    result_.points[*found] = midpoint(result_.points[a], result_.points[b]);
+    anchor({edge.root, {a, *found}, {edge.ends[0], at}, edge.middle});
+    anchor({edge.root, {*found, b}, {at, edge.ends[1]}, edge.middle});
+  }
+
+  /// The point of smaller cells that stands for the middle of an edge.
+  [[nodiscard]] std::optional<std::uint32_t> hanging_at(const Edge& edge, const Point& at) const {
+    if (const auto limit = limit_of(edge.root, at)) {
+      const auto place = places_.find(limit->at);
+      if (!place) return std::nullopt;
+      const auto found = curved_points_.find(curved_key(edge.root, *place));
+      return found == curved_points_.end() ? std::nullopt : with_normal(found->second, limit->normal);
+    }
     const auto place = flat_places_.find(at);
-    if (!place) return;
+    if (!place) return std::nullopt;
     const auto found =
         points_.find({edge.root.value, sectors_.at(tree_.face_side(edge.root).face, at, edge.middle), *place});
-    if (found == points_.end()) return;
-    const std::uint32_t hanging = found->second;
-    sums_[hanging] = 0.5 * (sums_[edge.points[0]] + sums_[edge.points[1]]);
-    anchor({edge.root, {edge.points[0], hanging}, {edge.ends[0], at}, edge.middle});
-    anchor({edge.root, {hanging, edge.points[1]}, {at, edge.ends[1]}, edge.middle});
+    return found == points_.end() ? std::nullopt : std::optional(found->second);
   }
 
   void add_cell(ElementId element, ElementId triangle, ElementId root) {
@@ -243,14 +270,12 @@ class SurfaceWriter {
       sums_[cell[k]] += tree_.area(triangle) * illuminance_at(element, corners[k]);
       weights_[cell[k]] += tree_.area(triangle);
     }
-    if (solution_.scene().faces.faces[tree_.face_side(root).face.index()].facets.empty()) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = (k + 1) % 3;
-        edges_.push_back({root, {cell[k], cell[next]}, {corners[k], corners[next]}, tree_.centroid(triangle)});
-      }
-    } else {
-      curved_cells_.push_back({result_.cells.size(), element});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      edges_.push_back({root, {cell[k], cell[next]}, {corners[k], corners[next]}, tree_.centroid(triangle)});
     }
+    if (!solution_.scene().faces.faces[tree_.face_side(root).face.index()].facets.empty())
+      curved_cells_.push_back({result_.cells.size(), element});
     const Point& middle = tree_.centroid(triangle);
     float radiosity = own_radiosity(tree_.face_side(element));
     for (std::size_t c = 0; c < solution_.channels(); ++c) {
