@@ -232,8 +232,10 @@ void tell(SceneLines& found, std::size_t stopped) {
 
 }  // namespace
 
-ShadowSources shadow_sources(const Scene& scene, std::size_t most) {
+ShadowSources shadow_sources(const Scene& scene, std::size_t most, bool without_extent) {
   std::vector<Candidate> found = all_sources(scene);
+  if (without_extent)
+    std::erase_if(found, [](const Candidate& c) { return c.source.kind == ShadowSource::Kind::kPolygon; });
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.source.power > b.source.power; });
   ShadowSources result;
@@ -256,7 +258,7 @@ double estimated_jump(const Scene& scene, const ShadowSources& sources, const me
 
 SceneLines find_discontinuities(const Scene& scene, const LineOptions& options) {
   SceneLines result;
-  result.sources = shadow_sources(scene, options.most_sources);
+  result.sources = shadow_sources(scene, options.most_sources, options.jumps_only);
   const std::vector<ShadowSource>& sources = result.sources.sources;
   double power = 0.0;
   for (const ShadowSource& source : sources) power += source.power;

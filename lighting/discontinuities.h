@@ -24,8 +24,9 @@ struct ShadowSources {
   std::size_t left_out = 0;  ///< sources beyond the number that is taken
 };
 
-/// Openings, surfaces that shine, and point sources, by the power that they send into the scene.
-ShadowSources shadow_sources(const Scene& scene, std::size_t most);
+/// Openings, surfaces that shine, luminaires and the sun, by the power that they send into the scene.
+/// @param without_extent  the sun and luminaires alone
+ShadowSources shadow_sources(const Scene& scene, std::size_t most, bool without_extent = false);
 
 /// The lines of discontinuity of a scene.
 struct SceneLines {
@@ -43,6 +44,8 @@ struct LineSurroundings {
 };
 
 struct LineOptions {
+  bool jumps_only =
+      false;  ///< of the sun and of luminaires taken as points alone, across whose lines light itself jumps
   double tolerance = 0.02;  ///< share of the illuminance that may be missed
   /// Of a line; `across` is a unit vector in the plane of the face and at right angles to the line. Empty where there is no solution: then
   /// elements are as large as the face, half a metre at most, and the light is that of all sources, unoccluded.

@@ -14,6 +14,7 @@
 
 #include "lighting/dark_share.h"
 #include "lighting/direct_light.h"
+#include "lighting/discontinuities.h"
 #include "lighting/energy.h"
 #include "lighting/gather.h"
 #include "lighting/grids.h"
@@ -43,6 +44,10 @@ constexpr double kStartSizeM = 1e9;
 
 /// Of the elements that may be made, those that direct light may take: light that is reflected needs some too.
 constexpr double kElementsOfDirectLight = 0.5;
+
+/// Lines across which light itself jumps that the elements do not cross: so many at most, and nearer to each other they are one [m].
+constexpr std::size_t kMostJumps = 2000;
+constexpr double kLineDistanceM = 0.01;
 
 /// Of the time of their phases, measured on the validation scenes.
 constexpr double kShareOfStartMesh = 0.8;
@@ -198,12 +203,18 @@ void show_surfaces(const Study& study, const Solution& solution, const SolutionE
   results.surfaces = surface_values(solution, errors);
 }
 
-/// One element a region of a face side, and no light yet.
+/// No light yet, and a few elements a region of a face side: contacts, the feet of slits and lines across which light jumps are their edges.
 Solution unsolved(const Scene& scene, Progress& progress) {
   mesh::MeshOptions options;
   options.max_size_m = kStartSizeM;
-  const std::vector<mesh::FaceLine> slits = mesh::slit_lines(scene.faces, scene.has_elements);
-  options.lines = slits;
+  std::vector<mesh::FaceLine> lines = mesh::slit_lines(scene.faces, scene.has_elements);
+  LineOptions jumps;
+  jumps.jumps_only = true;
+  jumps.most_lines = kMostJumps;
+  for (const mesh::DiscontinuityLine& line : find_discontinuities(scene, jumps).lines)
+    lines.push_back({line.face, line.ends});
+  options.lines = lines;
+  options.line_distance_m = kLineDistanceM;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
   progress.advance(kShareOfStartMesh);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
