@@ -45,9 +45,8 @@ constexpr double kStartSizeM = 1e9;
 /// Of the elements that may be made, those that direct light may take: light that is reflected needs some too.
 constexpr double kElementsOfDirectLight = 0.5;
 
-/// Lines across which light itself jumps that the elements do not cross: so many at most, and nearer to each other they are one [m].
+/// Lines across which light itself jumps that the elements do not cross: so many at most.
 constexpr std::size_t kMostJumps = 2000;
-constexpr double kLineDistanceM = 0.01;
 
 /// Of the time of their phases, measured on the validation scenes.
 constexpr double kShareOfStartMesh = 0.8;
@@ -214,7 +213,6 @@ Solution unsolved(const Scene& scene, Progress& progress) {
   for (const mesh::DiscontinuityLine& line : find_discontinuities(scene, jumps).lines)
     lines.push_back({line.face, line.ends});
   options.lines = lines;
-  options.line_distance_m = kLineDistanceM;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
   progress.advance(kShareOfStartMesh);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 
 #include "mesh/error.h"
 #include "tests/lighting/stages.h"
+#include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
 
 namespace clerestory::lighting {
@@ -40,6 +43,36 @@ void expect_same(const Results& a, const Results& b) {
   EXPECT_EQ(a.energy.absorbed_lm, b.energy.absorbed_lm);
   EXPECT_EQ(a.counts.links, b.counts.links);
   EXPECT_EQ(a.counts.rays, b.counts.rays);
+}
+
+/// A black room with a lamp that is a point, and a plate of 1 m x 1 m half-way below it: its shadow is the square from (1, 1) to (3, 3).
+Study plate_under_a_point() {
+  mesh::Model model = support::box_room(4.3, 4.1, 3);
+  support::add_quad(model, {1.5, 1.5, 1.25}, {2.5, 1.5, 1.25}, {2.5, 2.5, 1.25}, {1.5, 2.5, 1.25}, {"plate", "plate"});
+  Study study = test::study_of(std::move(model), 0.0, {0.5, 0.5, 1});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({2, 2, 2.5}, 1000.0));
+  study.mesh.discontinuities = false;
+  return study;
+}
+
+TEST(Run, ElementsDoNotCrossTheShadowEdgeOfALuminaire) {
+  const SurfaceResult s = answer(plate_under_a_point()).surfaces;
+  constexpr double kSlack = 1e-3;
+  int cells = 0;
+  for (std::size_t i = 0; i < s.cells.size(); ++i) {
+    if (s.material_names.at(static_cast<std::size_t>(s.material[i])) != "floor" || s.side[i] != 0) continue;
+    double nearest = 1e9;
+    double farthest = 0.0;
+    for (const std::uint32_t p : s.cells[i]) {
+      const double off = std::max(std::abs(s.points[p].x - 2.0), std::abs(s.points[p].y - 2.0));
+      nearest = std::min(nearest, off);
+      farthest = std::max(farthest, off);
+    }
+    EXPECT_TRUE(nearest > 1.0 - kSlack || farthest < 1.0 + kSlack);
+    EXPECT_TRUE(nearest > 1.0 - kSlack || s.illuminance_lux[i] == 0.0F);
+    ++cells;
+  }
+  EXPECT_GT(cells, 10);
 }
 
 TEST(Run, TwiceGivesTheSameBits) {
