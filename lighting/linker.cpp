@@ -224,7 +224,12 @@ double share_of(double error, double most) { return error <= 0.0 ? 0.0 : error /
 
 Linker::Linker(const Solution& solution, const Clusters& clusters, const Importance& importance, double tolerance_lux,
                std::uint64_t seed)
-    : solution_(solution), clusters_(clusters), importance_(importance), tolerance_lux_(tolerance_lux), seed_(seed) {}
+    : solution_(solution),
+      clusters_(clusters),
+      importance_(importance),
+      tolerance_lux_(tolerance_lux),
+      seed_(seed),
+      feet_(solution.scene().faces.count(), solution.scene().slits) {}
 
 double Linker::tolerance(ElementId receiver) const {
   const Scene& scene = solution_.scene();
@@ -452,6 +457,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.moment_v = static_cast<float>(source_share * sources.fit.line.slope_v);
   link.noise = static_cast<float>(visibility_noise(exchange / tree.area(r), small.rays, small.passing));
   link.split_small = small.places_differ();
+  if (link.visibility == Visibility::kPartial) split_at_slits(link);
   // What the line over a piece misses there, by its own places; those of a large piece also miss some of the mean.
   const auto error_over = [&](ElementId piece, double other_area, const View& view, bool is_small) {
     const double unoccluded = exchange / tree.area(piece);
@@ -462,6 +468,13 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   link.error = static_cast<float>(error_over(r, tree.area(s), own, receiver_small));
   if (link.mutual) link.back_error = static_cast<float>(error_over(s, tree.area(r), sources, !receiver_small));
   return link;
+}
+
+void Linker::split_at_slits(Link& link) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  const ElementId s = link.source.element();
+  const bool here = feet_.is_coarse(tree, link.receiver);
+  if (here != feet_.is_coarse(tree, s)) link.split_small = is_smaller(tree, link.receiver, s) == here;
 }
 
 double Linker::unseen_peak(ElementId receiver, double exchange, double source_area) const {

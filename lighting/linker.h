@@ -7,6 +7,7 @@
 #include "lighting/clusters.h"
 #include "lighting/importance.h"
 #include "lighting/links.h"
+#include "lighting/slit_feet.h"
 #include "lighting/solution.h"
 
 namespace clerestory::lighting {
@@ -73,6 +74,9 @@ class Linker {
   /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a
   /// factor's error, for receivers whose places do not tell.
   [[nodiscard]] double unseen_peak(mesh::ElementId receiver, double exchange, double source_area) const;
+  /// Lets the end be refined that is too large for the slit at which it lies, where one is: its places may all miss the strip at the slit's foot
+  /// that sees most, and parts of the other end would miss it one like the other.
+  void split_at_slits(Link& link) const;
   [[nodiscard]] bool overlaps(mesh::ElementId receiver, std::uint32_t cluster) const;
 
   const Solution& solution_;
@@ -80,6 +84,7 @@ class Linker {
   const Importance& importance_;
   double tolerance_lux_;
   std::uint64_t seed_;
+  SlitFeet feet_;
 };
 
 }  // namespace clerestory::lighting

@@ -206,7 +206,7 @@ void show_surfaces(const Study& study, const Solution& solution, const SolutionE
 Solution unsolved(const Scene& scene, Progress& progress) {
   mesh::MeshOptions options;
   options.max_size_m = kStartSizeM;
-  std::vector<mesh::FaceLine> lines = mesh::slit_lines(scene.faces, scene.has_elements);
+  std::vector<mesh::FaceLine> lines = mesh::feet_of(scene.slits);
   LineOptions jumps;
   jumps.jumps_only = true;
   jumps.most_lines = kMostJumps;

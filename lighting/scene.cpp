@@ -333,6 +333,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   fill_exitances(study, scene);
   PhasePart reaching(watcher, kShareOfMaterials, kShareBeforeOpenings);
   find_reachable(scene, reaching);
+  scene.slits = mesh::find_slits(scene.faces, scene.has_elements);
   find_openings(scene);
   scene.pane_normals = pane_normals(scene);
   PhasePart looking(watcher, kShareBeforeOpenings, kShareBeforeRooms);

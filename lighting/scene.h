@@ -17,6 +17,7 @@
 #include "mesh/rays.h"
 #include "mesh/rooms.h"
 #include "mesh/shafts.h"
+#include "mesh/slits.h"
 
 namespace clerestory::lighting {
 
@@ -47,6 +48,7 @@ struct Scene {
   std::vector<GlazingCurves> glazings;
   std::vector<Opening> openings;
   std::vector<std::int32_t> opening_of;  ///< [faces] index into openings, -1 for the others
+  std::vector<mesh::Slit> slits;         ///< before sides with elements
   mesh::Rooms rooms;
 
   Sky sky;

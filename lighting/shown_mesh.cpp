@@ -115,7 +115,7 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
     if (line.order == 0) result.jump[line.face.index()] = 1;
   }
   // The feet of slits, where light and dark lie side by side, are lines of the solver's mesh too.
-  std::vector<mesh::FaceLine> lines = mesh::slit_lines(scene.faces, result.shown);
+  std::vector<mesh::FaceLine> lines = mesh::feet_of(mesh::find_slits(scene.faces, result.shown));
   for (const mesh::DiscontinuityLine& line : result.found.lines) lines.push_back({line.face, line.ends});
   std::vector<std::uint8_t> wanted(scene.faces.count(), 0);
   for (std::size_t s = 0; s < result.shown.size(); ++s) wanted[mesh::face_side(s).face.index()] |= result.shown[s];

@@ -21,6 +21,7 @@ constexpr double kNarrowest = 1e-4;
 /// Length of a slit and height of what stands over it, at least, in terms of its width: shorter edges are legs, lower ones mouldings.
 constexpr double kLong = 10.0;
 constexpr double kTolerance = 2e-5;  ///< of the plane of a face [m]
+constexpr double kBeside = 1e-4;     ///< so far from a foot along a face's boundary, its inside is looked for [m]
 
 class SlitSearch {
  public:
@@ -34,7 +35,7 @@ class SlitSearch {
     tree_ = BoxTree(boxes);
   }
 
-  std::vector<FaceLine> run() {
+  std::vector<Slit> run() {
     for (std::size_t g = 0; g < faces_.count(); ++g) {
       for (const std::vector<std::uint32_t>& loop : faces_.faces[g].loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -42,7 +43,7 @@ class SlitSearch {
         }
       }
     }
-    return std::move(lines_);
+    return std::move(slits_);
   }
 
  private:
@@ -98,23 +99,45 @@ class SlitSearch {
     return height >= kLong * width;
   }
 
+  /// What of a foot lies inside a face, or along its boundary, as where two floors meet below a door.
+  std::vector<Ends> stretches_of(const Ends& foot, std::size_t f) {
+    std::vector<Ends> stretches = stretches_inside(region(f), foot, kTolerance);
+    const Vector aside = kBeside * normalized(cross(plane(f).frame.w, foot[1] - foot[0]));
+    for (const Vector& by : {aside, -aside}) {
+      if (!stretches.empty()) break;
+      stretches = stretches_inside(region(f), {foot[0] + by, foot[1] + by}, kTolerance);
+      for (Ends& ends : stretches) ends = {ends[0] - by, ends[1] - by};
+    }
+    return stretches;
+  }
+
   void add_foot(const Ends& edge, std::uint32_t f) {
     const PlaneCoordinates below = plane(f);
     const Ends foot{below.lift(below.project(edge[0])), below.lift(below.project(edge[1]))};
-    for (const Ends& ends : stretches_inside(region(f), foot, kTolerance)) lines_.push_back({FaceId(f), ends});
+    const std::array<double, 2> heights{below.distance(edge[0]), below.distance(edge[1])};
+    const Side side = heights[0] > 0.0 ? Side::kFront : Side::kBack;
+    const double width = std::max(std::abs(heights[0]), std::abs(heights[1]));
+    for (const Ends& ends : stretches_of(foot, f)) slits_.push_back({{FaceId(f), ends}, side, width});
   }
 
   const Faces& faces_;
   std::span<const std::uint8_t> has_side_;
   std::vector<std::optional<PlanarRegion>> regions_;
   BoxTree tree_;
-  std::vector<FaceLine> lines_;
+  std::vector<Slit> slits_;
 };
 
 }  // namespace
 
-std::vector<FaceLine> slit_lines(const Faces& faces, std::span<const std::uint8_t> has_side) {
+std::vector<Slit> find_slits(const Faces& faces, std::span<const std::uint8_t> has_side) {
   return SlitSearch(faces, has_side).run();
+}
+
+std::vector<FaceLine> feet_of(std::span<const Slit> slits) {
+  std::vector<FaceLine> lines;
+  lines.reserve(slits.size());
+  for (const Slit& slit : slits) lines.push_back(slit.foot);
+  return lines;
 }
 
 }  // namespace clerestory::mesh

@@ -25,7 +25,7 @@ Faces sheet_over_a_floor(double width_m, double height_m, double rotation_rad = 
 }
 
 std::vector<FaceLine> lines_of(const Faces& faces, std::uint8_t has_side = 1) {
-  return slit_lines(faces, std::vector<std::uint8_t>(2 * faces.count(), has_side));
+  return feet_of(find_slits(faces, std::vector<std::uint8_t>(2 * faces.count(), has_side)));
 }
 
 TEST(Slits, TheFootOfASheetThatStopsShortOfAFloorIsALineOfTheFloor) {
@@ -63,6 +63,22 @@ TEST(Slits, WideOnesLowThingsAndSidesWithoutElementsGetNoLine) {
   EXPECT_TRUE(lines_of(sheet_over_a_floor(0.12, 2.5)).empty());
   EXPECT_TRUE(lines_of(sheet_over_a_floor(0.05, 0.3)).empty());
   EXPECT_TRUE(lines_of(sheet_over_a_floor(0.05, 2.5), 0).empty());
+}
+
+TEST(Slits, WhereTwoFloorsMeetBelowADoorItsFootBelongsToBoth) {
+  Model model;
+  support::add_quad(model, {0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 2, 0}, {"stone", "floor"});
+  support::add_quad(model, {0, 2, 0}, {4, 2, 0}, {4, 4, 0}, {0, 4, 0}, {"wood", "floor"});
+  support::add_quad(model, {1, 2, 0.05}, {3, 2, 0.05}, {3, 2, 2.5}, {1, 2, 2.5}, {"door", "door"});
+  const Faces faces = build_faces(clean(support::rotated(std::move(model), {0.48, -0.6, 0.64}, 0.7), {}));
+  const std::vector<Slit> slits = find_slits(faces, std::vector<std::uint8_t>(2 * faces.count(), 1));
+  ASSERT_EQ(slits.size(), 2U);
+  EXPECT_NE(slits[0].foot.face, slits[1].foot.face);
+  for (const Slit& slit : slits) {
+    EXPECT_EQ(slit.side, Side::kFront);
+    EXPECT_NEAR(slit.width_m, 0.05, 1e-9);
+    EXPECT_NEAR(norm(slit.foot.ends[1] - slit.foot.ends[0]), 2.0, 1e-9);
+  }
 }
 
 }  // namespace
