@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/model_file.h"
 #include "io/study_tree.h"
+#include "lighting/perez.h"
 #include "lighting/study.h"
 #include "mesh/subdivision.h"
 
@@ -36,8 +38,22 @@ mesh::SubdivisionReport read_parts_table(const StudyValue& root, const std::file
 /// Throws InputError for entries that contradict themselves, and names that match no material.
 void read_materials_table(const StudyValue& root, const ModelFile& model, lighting::Study& study);
 
+/// Where the sun stands for a study, and what the weather is.
+struct StudySun {
+  mesh::Vector towards;  ///< unit vector in model coordinates
+  double altitude_deg = 0.0;
+  std::optional<lighting::Irradiance> irradiance;  ///< of the weather file, where it is asked for
+  int day_of_year = 80;                            ///< the 21st of March where no time is given
+};
+
+/// sky.time with [site], or sky.sun_altitude and sky.sun_azimuth; none where neither is given. With sky.type = "weather" the file of
+/// site.weather tells the irradiances, and the place where the study does not.
+/// Throws InputError for what is missing or contradicts itself.
+std::optional<StudySun> read_study_sun(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
 /// [sky]. For the daylight factor it becomes the CIE overcast sky, in the tree too.
-void read_sky_table(StudyValue& root, lighting::Study& study);
+/// Throws InputError for keys that contradict each other, and for a sky without what it needs.
+void read_sky_table(StudyValue& root, StudyPlace& place, lighting::Study& study);
 
 /// [[grids]]. Throws InputError for names that are no file names or not unique, surfaces that the model does not have,
 /// and sensor files at fault.

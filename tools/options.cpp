@@ -64,6 +64,8 @@ constexpr const char* kDaylightFooter = R"(Examples:
 constexpr const char* kIlluminanceFooter = R"(Examples:
   clerestory illuminance office.toml                  results in office-results/ beside the study
   clerestory illuminance office.toml --set sky.type=none -o night
+  clerestory illuminance office.toml --set sky.type=weather --set sky.sun=true --time 2026-03-21T12:00
+                                                      daylight and sun at a moment, with site.weather in the study
   clerestory illuminance office.toml --threads 1 --accuracy 1%
   clerestory illuminance city.toml --max-time 10min --max-memory 8GB --keep-partial
                                                       what can be had within the limits, or until ctrl-C
@@ -121,6 +123,7 @@ struct Raw {
   bool json = false;
   bool strict = false;
   bool lines = false;
+  std::string time;
   std::string max_time;
   std::string max_memory;
   bool keep_partial = false;
@@ -211,6 +214,9 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
       break;
     default:
       add_run_options(own, raw);
+      if (command.what == Request::What::kIlluminance)
+        own.add_option("--time", raw.time, "The moment of the daylight, local standard time (sky.time)")
+            ->type_name("YYYY-MM-DDTHH:MM");
       own.add_flag("--save-solution", raw.save_solution, "Keeps the solution too, for clerestory sense");
       add_limits(own, raw);
   }
@@ -285,6 +291,20 @@ std::filesystem::path default_out(const Command& command, const std::filesystem:
   return study.parent_path() / (study.stem().string() + ending);
 }
 
+/// A moment as the study has it, with its seconds. A blank stands for the T as well.
+std::string parse_moment(std::string text) {
+  constexpr std::size_t kUpToMinutes = 16;
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const bool like_one = text.size() >= kUpToMinutes && is_digit(text.front()) && is_digit(text[15]) && text[4] == '-' &&
+                        text[7] == '-' && text[13] == ':' && (text[10] == 'T' || text[10] == ' ');
+  if (!like_one)
+    throw CommandLineError(
+        fmt::format("--time {} is no moment; write for example --time 2026-03-21T12:00", io::in_quotes(text)));
+  text[10] = 'T';
+  if (text.size() == kUpToMinutes || text[kUpToMinutes] != ':') text.insert(kUpToMinutes, ":00");
+  return text;
+}
+
 /// The command line's own words for keys of the study, behind the user's --set.
 std::vector<std::string> settings_of(const Raw& raw) {
   std::vector<std::string> set = raw.set;
@@ -293,6 +313,7 @@ std::vector<std::string> settings_of(const Raw& raw) {
   if (!raw.up.empty()) set.push_back(fmt::format("model.up={}", raw.up));
   if (!raw.gap.empty()) set.push_back(fmt::format("model.gap={}", raw.gap));
   if (!raw.repair.empty()) set.push_back(fmt::format("model.repair={}", raw.repair));
+  if (!raw.time.empty()) set.push_back("sky.time=" + parse_moment(raw.time));
   std::string grids;
   for (const std::string& keys : raw.grids) grids += fmt::format("{}{{{}}}", grids.empty() ? "" : ", ", keys);
   if (!grids.empty()) set.push_back(fmt::format("grids=[{}]", grids));

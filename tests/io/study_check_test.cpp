@@ -69,9 +69,7 @@ TEST(StudyCheck, ValuesOfTheWrongKindAreRefused) {
 
 TEST(StudyCheck, WhatThisVersionCannotDoIsRefusedAndNotIgnored) {
   for (const char* lines :
-       {"[[luminaires]]\nphotometry = 'a.ies'\n", "[sky]\ntype = 'perez'\n", "[sky]\ntype = 'cie-7'\n",
-        "[sky]\nsun = true\n", "[sky]\ntime = 2026-03-21T12:00:00\n", "[sky]\ndirect_normal = 100\n",
-        "[site]\nweather = 'a.epw'\n", "[materials.wall]\ntranslucent = { transmittance = 0.3 }\n"})
+       {"[[luminaires]]\nphotometry = 'a.ies'\n", "[materials.wall]\ntranslucent = { transmittance = 0.3 }\n"})
     EXPECT_THAT(refusal(lines), AllOf(HasSubstr("study.toml:"), HasSubstr("is not supported by this version")))
         << lines;
   EXPECT_EQ(refusal("[sky]\nsun = false\ndirect_normal = 0\n"), "accepted");

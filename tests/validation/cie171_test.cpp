@@ -5,6 +5,7 @@
 // the default accuracy must do, except where light has to be found by sampling: behind the box of 5.7, and through holes that nothing
 // marks. An accuracy is a standard uncertainty: every one of some 150 sensors keeps 1 % if that is over three of it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -99,11 +100,12 @@ TEST(Cie171, Case57WallAsReflectorBehindAnObstruction) {
 }
 
 /// The published values of one case, in per cent of the horizontal illuminance, by the names of the points.
-std::vector<double> sky_values(const std::string& name, const std::vector<std::string>& points) {
+std::vector<double> sky_values(const std::string& name, int sky, const std::vector<std::string>& points) {
   std::ifstream in(validation_dir() / "cie171_sky.json");
   const auto all = nlohmann::json::parse(in);
   std::vector<double> values;
-  for (const std::string& point : points) values.push_back(all.at(name + " sky16").at(point).get<double>());
+  for (const std::string& point : points)
+    values.push_back(all.at(name + " sky" + std::to_string(sky)).at(point).get<double>());
   return values;
 }
 
@@ -116,14 +118,25 @@ constexpr Filling kUnmarked{"unmarked", ""};
 constexpr Filling kMarked{"marked", "air"};
 constexpr Filling kGlazed{"glazed", "pane"};
 
-/// A black room under the traditional overcast sky, 100 lx horizontal: values are per cent.
-lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling) {
+constexpr int kTraditional = 16;  ///< the CIE's number of the traditional overcast sky
+constexpr std::array kOtherSkies{1, 5, 12};
+
+/// 100 lx horizontal, so that values are per cent. The sun stands at 60°, on the side of +y or -y.
+lighting::Sky sky_of_case(int type, double sun_side) {
+  if (type == kTraditional)
+    return {.type = lighting::Sky::Type::kCieOvercast, .horizontal_illuminance_lux = 100.0, .ground_reflectance = 0.3};
+  lighting::Sky sky = lighting::sky_of(lighting::cie_general_sky(type, {0.0, sun_side * 0.5, std::sqrt(0.75)}), 100.0);
+  sky.ground_reflectance = 0.3;
+  return sky;
+}
+
+/// A black room.
+lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling, const lighting::Sky& sky) {
   opening.material = filling.material;
   lighting::Study study = grey_study(cie171::room({opening}), 0.0);
   study.kind = lighting::Study::Kind::kDaylight;
   if (opening.material.empty()) study.accuracy.target = kAccuracyOfSampled;
-  study.sky = {
-      .type = lighting::Sky::Type::kCieOvercast, .horizontal_illuminance_lux = 100.0, .ground_reflectance = 0.3};
+  study.sky = sky;
   for (lighting::Material& m : study.materials) {
     if (m.name == "air")
       m = {.name = "air", .front = {}, .back = {}, .glazing = {}, .opening = true, .became = {}, .why = {}};
@@ -135,16 +148,18 @@ lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling) {
   return study;
 }
 
-void expect_roof_case(const std::string& name, const cie171::Cutout& opening, const Filling& filling) {
-  lighting::Study study = daylit_room(opening, filling);
+void expect_roof_case(const std::string& name, const cie171::Cutout& opening, const Filling& filling,
+                      int sky = kTraditional) {
+  lighting::Study study = daylit_room(opening, filling, sky_of_case(sky, 1.0));
   add_sensors(study, wall_points(0.0), kNorth);
   add_sensors(study, row_points(0.0), kUp);
-  const auto expected = sky_values(name, {"A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N"});
-  expect_values(name + ", " + filling.what, answer(study), expected, 0.01);
+  const auto expected = sky_values(name, sky, {"A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N"});
+  expect_values(name + " sky" + std::to_string(sky) + ", " + filling.what, answer(study), expected, 0.01);
 }
 
-void expect_facade_case(const std::string& name, const cie171::Cutout& opening, const Filling& filling) {
-  lighting::Study study = daylit_room(opening, filling);
+void expect_facade_case(const std::string& name, const cie171::Cutout& opening, const Filling& filling,
+                        int sky = kTraditional) {
+  lighting::Study study = daylit_room(opening, filling, sky_of_case(sky, -1.0));
   auto floor = row_points(0.0);
   auto ceiling = row_points(3.0);
   std::reverse(floor.begin(), floor.end());  // G is the farthest from the opening
@@ -152,9 +167,9 @@ void expect_facade_case(const std::string& name, const cie171::Cutout& opening, 
   add_sensors(study, wall_points(4.0), kSouth);
   add_sensors(study, floor, kUp);
   add_sensors(study, ceiling, kDown);
-  const auto expected = sky_values(name, {"A", "B", "C", "D",  "E",  "F",  "G",  "H",  "I",  "J",  "K",
-                                          "L", "M", "N", "G'", "H'", "I'", "J'", "K'", "L'", "M'", "N'"});
-  expect_values(name + ", " + filling.what, answer(study), expected, 0.01);
+  const auto expected = sky_values(name, sky, {"A", "B", "C", "D",  "E",  "F",  "G",  "H",  "I",  "J",  "K",
+                                               "L", "M", "N", "G'", "H'", "I'", "J'", "K'", "L'", "M'", "N'"});
+  expect_values(name + " sky" + std::to_string(sky) + ", " + filling.what, answer(study), expected, 0.01);
 }
 
 const cie171::Cutout kSmallRoof{"ceiling", "", 1.5, 1.5, 2.5, 2.5};
@@ -188,6 +203,20 @@ TEST(Cie171, Case512GlazedFacadeOpening) {
   CLERESTORY_NEEDS_VALIDATION("cie171_sky.json");
   expect_facade_case("5.12 2x1", kWindow, kGlazed);
   expect_facade_case("5.12 4x3", kWholeWall, kGlazed);
+}
+
+TEST(Cie171, Cases59To512UnderTheOtherSkies) {
+  CLERESTORY_NEEDS_VALIDATION("cie171_sky.json");
+  for (const int sky : kOtherSkies) {
+    expect_roof_case("5.9 1x1", kSmallRoof, kMarked, sky);
+    expect_roof_case("5.9 4x4", kWholeRoof, kMarked, sky);
+    expect_roof_case("5.10 1x1", kSmallRoof, kGlazed, sky);
+    expect_roof_case("5.10 4x4", kWholeRoof, kGlazed, sky);
+    expect_facade_case("5.11 2x1", kWindow, kMarked, sky);
+    expect_facade_case("5.11 4x3", kWholeWall, kMarked, sky);
+    expect_facade_case("5.12 2x1", kWindow, kGlazed, sky);
+    expect_facade_case("5.12 4x3", kWholeWall, kGlazed, sky);
+  }
 }
 
 }  // namespace
