@@ -55,13 +55,15 @@ lighting::Sky by_irradiance(const StudyValue& table, const StudySun& sun, lighti
                                   number_or(table, "dew_point", 11.0), sun.day_of_year};
   if (sun.irradiance) irradiance = *sun.irradiance;
   const StudyValue& type = *table.find("type");
+  std::vector<std::string> set_aside;
   for (const char* const key : {"horizontal_illuminance", "zenith_luminance", "sun_normal_illuminance"}) {
     const StudyValue* given = table.find(key);
-    if (given != nullptr && given->is_given())
-      throw given->error(
-          fmt::format("sky.{} contradicts sky.type = \"{}\", whose light comes from irradiances", key, type.text),
-          "leave one of them out");
+    if (given != nullptr && given->is_given()) set_aside.emplace_back(key);
   }
+  if (!set_aside.empty())
+    study.assumptions.push_back(
+        fmt::format("The light of sky.type = \"{}\" comes from irradiances; {} in [sky] was set aside.", type.text,
+                    list_names(set_aside)));
   if (!sun.irradiance && irradiance.diffuse_horizontal_w_m2 <= 0.0 && irradiance.direct_normal_w_m2 <= 0.0)
     throw type.error("sky.type = \"perez\" needs irradiances", "give sky.diffuse_horizontal and sky.direct_normal");
   lighting::Sky sky = lighting::perez_sky(irradiance, sun.towards);
@@ -109,7 +111,7 @@ void read_beam(const StudyValue& table, const std::optional<StudySun>& place, bo
   const StudyValue* normal = table.find("sun_normal_illuminance");
   if (!flag_or(table, "sun", false)) {
     sky.sun.normal_illuminance_lux = 0.0;
-    if (normal != nullptr)
+    if (normal != nullptr && !by_irradiance)
       throw normal->error("sky.sun_normal_illuminance is given, and the sun is off", "write sun = true, or remove it");
     return;
   }

@@ -77,16 +77,32 @@ Site site_of(const StudyValue* table, const GivenTime& time, const StudyValue& w
   return site;
 }
 
-/// The file of site.weather, where the sky is that of the weather.
+/// The file of site.weather, where the sky is that of the weather or the study leaves its place to it.
 std::optional<Weather> weather_of(const StudyValue& sky, const StudyValue* site, StudyPlace& place) {
-  if (text_or(sky, "type", "") != "weather") return std::nullopt;
+  const bool asked_for = text_or(sky, "type", "") == "weather";
   const StudyValue* file = site != nullptr ? site->find("weather") : nullptr;
-  if (file == nullptr)
+  if (asked_for && file == nullptr)
     throw sky.find("type")->error("sky.type = \"weather\" needs site.weather",
                                   "write weather = \"place.epw\" into [site]");
+  const bool has_place = site != nullptr && site->find("latitude") != nullptr && site->find("timezone") != nullptr;
+  if (file == nullptr || (!asked_for && has_place)) return std::nullopt;
   const std::filesystem::path path = place.folder / file->text;
   place.files.push_back(path);
   return read_weather(path);
+}
+
+/// The weather's irradiances at a moment.
+lighting::Irradiance irradiance_of(const Weather& weather, const Moment& moment, const StudyValue& when,
+                                   lighting::Study& study) {
+  const auto irradiance = lighting::irradiance_at(weather, moment);
+  if (!irradiance)
+    throw when.error(fmt::format("the weather file has no irradiance at {}", when.text),
+                     "choose another time, or sky.type = \"perez\"");
+  study.assumptions.push_back(fmt::format(
+      "The weather at {} is {:.0f} W/m2 direct normal and {:.0f} W/m2 diffuse: on the line between the middles of the "
+      "file's intervals, which end at the times that stand in its rows. The sun is that of the moment.",
+      when.text, irradiance->direct_normal_w_m2, irradiance->diffuse_horizontal_w_m2));
+  return *irradiance;
 }
 
 /// The moment by the weather file's clock.
@@ -117,16 +133,8 @@ StudySun at_time(const StudyValue& root, const StudyValue& sky, const StudyValue
   sun.day_of_year = lighting::day_of_year(time.moment);
   if (weather) {
     const Moment moment = by_clock_of(*weather, time.moment, site.timezone_h);
-    sun.irradiance = lighting::irradiance_at(*weather, moment);
-    if (!sun.irradiance)
-      throw when.error(fmt::format("the weather file has no irradiance at {}", when.text),
-                       "choose another time, or sky.type = \"perez\"");
+    if (text_or(sky, "type", "") == "weather") sun.irradiance = irradiance_of(*weather, moment, when, study);
     air = lighting::air_at(*weather, moment);
-    study.assumptions.push_back(
-        fmt::format("The weather at {} is {:.0f} W/m2 direct normal and {:.0f} W/m2 diffuse, between the middles of "
-                    "the file's intervals, which end "
-                    "at the times that stand in its rows; the sun is that of the moment.",
-                    when.text, sun.irradiance->direct_normal_w_m2, sun.irradiance->diffuse_horizontal_w_m2));
   }
   const lighting::SunPosition position = lighting::sun_position(site, time.moment, air);
   sun.altitude_deg = position.altitude_deg;

@@ -131,9 +131,13 @@ lighting::Sky sky_of_case(int type, double sun_side) {
 }
 
 /// A black room.
-lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling, const lighting::Sky& sky) {
+/// @param outside  what stands before the opening
+lighting::Study daylit_room(cie171::Cutout opening, const Filling& filling, const lighting::Sky& sky,
+                            const mesh::Model& outside = {}) {
   opening.material = filling.material;
-  lighting::Study study = grey_study(cie171::room({opening}), 0.0);
+  mesh::Model model = cie171::room({opening});
+  support::append(model, outside);
+  lighting::Study study = grey_study(std::move(model), 0.0);
   study.kind = lighting::Study::Kind::kDaylight;
   if (opening.material.empty()) study.accuracy.target = kAccuracyOfSampled;
   study.sky = sky;
@@ -216,6 +220,30 @@ TEST(Cie171, Cases59To512UnderTheOtherSkies) {
     expect_facade_case("5.11 4x3", kWholeWall, kMarked, sky);
     expect_facade_case("5.12 2x1", kWindow, kGlazed, sky);
     expect_facade_case("5.12 4x3", kWholeWall, kGlazed, sky);
+  }
+}
+
+/// A black mask at the height of the ceiling that reaches so far out, and 100 m to either side.
+mesh::Model mask(double depth_m) {
+  mesh::Model model;
+  support::add_quad(model, {-98, -depth_m, 3}, {102, -depth_m, 3}, {102, 0, 3}, {-98, 0, 3},
+                    {.material = "mask", .part = "mask"});
+  return model;
+}
+
+TEST(Cie171, Case513MaskBeforeAFacadeOpening) {
+  CLERESTORY_NEEDS_VALIDATION("cie171_sky.json");
+  const std::vector<std::string> points{"A_sky", "B_sky", "C_sky", "D_sky", "E_sky", "F_sky", "G_sky", "H_sky"};
+  for (const int sky : {1, 5, 12, kTraditional}) {
+    for (const auto& [name, depth] : {std::pair{"5.13 0.5", 0.5}, {"5.13 1.0", 1.0}, {"5.13 2.0", 2.0}}) {
+      lighting::Study study = daylit_room(kWindow, kMarked, sky_of_case(sky, -1.0), mask(depth));
+      study.accuracy.target = kAccuracyOfSampled;
+      auto floor = row_points(0.0);
+      std::reverse(floor.begin(), floor.end());
+      add_sensors(study, floor, kUp);
+      expect_values(std::string(name) + " sky" + std::to_string(sky), answer(study), sky_values(name, sky, points),
+                    0.01);
+    }
   }
 }
 
