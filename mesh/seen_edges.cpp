@@ -14,6 +14,9 @@ constexpr double kBeside = 2e-3;
 constexpr double kInside = 0.02;
 constexpr std::array kPlaces{1.0 / 12.0, 0.5, 11.0 / 12.0};  ///< on an edge
 
+/// Of the sun, whose light is narrow where it comes through a window: so many places on an edge, evenly spread.
+constexpr int kPlacesOfSun = 64;
+
 /// Points that stand for a source; of a polygon in its plane.
 std::vector<Point> points_of(const ShadowSource& source) {
   if (source.kind != ShadowSource::Kind::kPolygon) return {source.at};
@@ -47,7 +50,8 @@ class EdgeLook {
       if (!free) return;
       const Point beside = place + kBeside * *free;
       if (far) {
-        segments_.push_back({beside, beside + reach() * source_.towards});
+        // From outdoors: a segment that leaves through an opening ends there.
+        segments_.push_back({beside + reach() * source_.towards, beside});
       } else {
         segments_.push_back({from + lift(front) * source_.normal, beside});
       }
@@ -74,6 +78,10 @@ class EdgeLook {
   template <class Visit>
   void for_each_pair(const OccluderEdge& e, const Visit& visit) const {
     const auto [a, b] = occluders_.ends(e);
+    if (source_.kind == ShadowSource::Kind::kDirection) {
+      for (int i = 0; i < kPlacesOfSun; ++i) visit(points_[0], a + ((i + 0.5) / kPlacesOfSun) * (b - a));
+      return;
+    }
     for (const double t : kPlaces) {
       for (const Point& from : points_) visit(from, a + t * (b - a));
     }
