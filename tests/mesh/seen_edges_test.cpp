@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/support/shapes.h"
 
@@ -67,7 +68,7 @@ TEST(SeenEdges, TheSunComesThroughOpeningsAndIsFoundOnSmallPartsOfEdges) {
   for (std::size_t e = 0; e < seen.lit.size(); ++e) {
     const auto ends = occluders.ends(occluders.edges()[e]);
     const Point middle = midpoint(ends[0], ends[1]) + faces.origin;
-    if (middle.z == 1.0 && middle.x == 1.2) lit += seen.lit[e];
+    if (std::abs(middle.z - 1.0) < 1e-9 && std::abs(middle.x - 1.2) < 1e-9) lit += seen.lit[e];
   }
   EXPECT_EQ(lit, 2);
 }
