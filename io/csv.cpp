@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/csv.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -58,17 +59,31 @@ void expect_whole(const lighting::GridResult& grid) {
   const bool has_df = !grid.daylight_factor_percent.empty();
   if (grid.sensors.normals.size() != count || grid.illuminance_lux.size() != count || grid.error_lux.size() != count ||
       (has_df && grid.daylight_factor_percent.size() != count) ||
-      (!grid.sensors.ids.empty() && grid.sensors.ids.size() != count))
+      (!grid.sensors.ids.empty() && grid.sensors.ids.size() != count) ||
+      std::any_of(grid.groups.begin(), grid.groups.end(), [&](const lighting::GroupColumn& group) {
+        return group.illuminance_lux.size() != count || group.error_lux.size() != count;
+      }))
     throw std::logic_error("grid '" + grid.name + "' has arrays of different lengths");
 }
 
 }  // namespace
 
+std::string column_word(std::string_view name) {
+  std::string word(name);
+  for (char& c : word) {
+    if (c == ',' || c == ';' || c == '"' || c == ' ' || static_cast<unsigned char>(c) < 0x20) c = '-';
+  }
+  return word;
+}
+
 std::string grid_csv(const lighting::GridResult& grid) {
   expect_whole(grid);
   const bool has_df = !grid.daylight_factor_percent.empty();
   std::string text = "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux";
-  text += has_df ? ",daylight_factor_percent\n" : "\n";
+  if (has_df) text += ",daylight_factor_percent";
+  for (const lighting::GroupColumn& group : grid.groups)
+    text += ",illuminance_lux_" + column_word(group.name) + ",error_lux_" + column_word(group.name);
+  text += '\n';
   const bool numbered = !grid.sensors.ids.empty();
   for (std::size_t i = 0; i < grid.sensors.count(); ++i) {
     text += std::to_string(numbered ? grid.sensors.ids[i] : i);
@@ -79,6 +94,10 @@ std::string grid_csv(const lighting::GridResult& grid) {
     append_light(text, grid.illuminance_lux[i], grid.name);
     append_light(text, grid.error_lux[i], grid.name);
     if (has_df) append_light(text, grid.daylight_factor_percent[i], grid.name);
+    for (const lighting::GroupColumn& group : grid.groups) {
+      append_light(text, group.illuminance_lux[i], grid.name);
+      append_light(text, group.error_lux[i], grid.name);
+    }
     text += '\n';
   }
   return text;

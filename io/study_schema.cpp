@@ -441,8 +441,7 @@ constexpr StudyKey kKeys[] = {
                 "that add up to `illuminance_lux`. mix: none; groups: the sky with the ground beyond the model as one, "
                 "and each group of lamps; sky-145: the same with the sky in Tregenza's patches, from the horizon up "
                 "and in a row from north to east, and the ground apart; sky-577: in Reinhart's.",
-     .words = "mix",
-     .later = "groups sky-145 sky-577"},
+     .words = "mix groups sky-145 sky-577"},
 
     {.path = "accuracy", .type = kTable, .meaning = "How good the result must be."},
     {.path = "accuracy.target",

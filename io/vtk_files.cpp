@@ -26,6 +26,7 @@
 #include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "io/csv.h"
 #include "io/whole_file.h"
 #include "mesh/error.h"
 
@@ -246,6 +247,11 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
     cells->AddArray(numbers<vtkFloatArray>("daylight_factor_percent", grid.daylight_factor_percent));
     cells->SetActiveScalars("daylight_factor_percent");
     units.emplace_back("daylight_factor_percent: % of the unobstructed horizontal illuminance");
+  }
+  for (const lighting::GroupColumn& group : grid.groups) {
+    const std::string name = column_word(group.name);
+    cells->AddArray(numbers<vtkFloatArray>(("illuminance_lux_" + name).c_str(), group.illuminance_lux));
+    cells->AddArray(numbers<vtkFloatArray>(("error_lux_" + name).c_str(), group.error_lux));
   }
   add_origin(data, units, results, context);
   data->GetFieldData()->AddArray(words("grid", {grid.name}));

@@ -114,6 +114,15 @@ std::vector<DirectMeasurement> measure_all(const DirectSampler& sampler, const s
   return measured;
 }
 
+/// Light of each group changes over the node as the sum of all does.
+void part(const DirectSurvey& survey, const DirectMeasurement& measured, std::vector<GroupDirect>& groups) {
+  const LinearValue slope = survey.relative_slope();
+  for (const GroupLight& light : measured.groups) {
+    const auto lux = static_cast<float>(light.lux);
+    groups.push_back({survey.below.node, light.group, {lux, lux * slope.slope_u, lux * slope.slope_v}});
+  }
+}
+
 NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMeasurement& measured) {
   NodeDirect node;
   node.node = survey.below.node;
@@ -144,6 +153,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   const std::vector<DirectMeasurement> measured = measure_all(sampler, accepted, measuring);
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
+    part(accepted[i], measured[i], result.groups);
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
         links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());

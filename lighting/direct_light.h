@@ -20,6 +20,13 @@ struct NodeDirect {
   LinearValue received;                 ///< [lux]
 };
 
+/// Light of one source group that a node receives straight, by panes as mirrors too.
+struct GroupDirect {
+  mesh::ElementId node;
+  std::uint32_t group = 0;
+  LinearValue lux;
+};
+
 /// What light_directly() gives besides the direct light that it leaves in the solution.
 struct DirectLight {
   std::vector<NodeDirect> nodes;
@@ -28,7 +35,8 @@ struct DirectLight {
   std::vector<Link> links;
   /// Mean illuminance at the sensors by all light, an estimate [lux]: the scale of tolerances.
   double scale_lux = 0.0;
-  bool out_of_elements = false;  ///< whether nodes stay as they are because the solution may have no more elements
+  std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
+  bool out_of_elements = false;     ///< whether nodes stay as they are because the solution may have no more elements
 };
 
 /// Finds what every node receives straight from sky (by itself or through openings) and point sources, and what it sees through

@@ -43,6 +43,8 @@ struct Collector {
   const Solution* solution;
   bool surfaces_count = false;
   std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
+  GroupSums* groups = nullptr;                 ///< where asked for
+  double share = 1.0;                          ///< that the ray has of what groups are given
   double sky_lux = 0.0;
   double guess_lux = 0.0;
 
@@ -55,7 +57,9 @@ struct Collector {
     guess_lux += weight * (own + rho * kBeyondGuess * scene.sky.ground_illuminance_lux());
   }
   void sky(const Vector& direction, float weight, bool) {
-    sky_lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    const double lux = weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    sky_lux += lux;
+    if (groups != nullptr) groups->add(solution->scene().groups.of_sky(direction), share * lux);
   }
 };
 
@@ -171,25 +175,29 @@ double DirectSampler::effect(const DirectSurvey& survey) const {
 DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughly) const {
   const ElementId e = survey.below.node;
   DirectMeasurement result;
+  GroupSums groups(scene().groups);
   for (std::uint32_t rays = kFirstRays;; rays *= 2) {
     result = {};
+    groups = GroupSums(scene().groups);
     double variance = 0.0;
     for (const std::uint32_t k : survey.below.openings) {
-      variance += sample_part(e, static_cast<std::int32_t>(k), rays, result);
+      variance += sample_part(e, static_cast<std::int32_t>(k), rays, result, groups);
     }
-    if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result);
+    if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result, groups);
     result.noise = std::sqrt(variance);
     if (roughly || result.noise <= tolerance(e) || rays >= kMostRays) break;
   }
   for (const std::uint32_t k : survey.below.minor) {
-    if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result);
+    if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result, groups);
   }
-  const double by_luminaires = luminaire_mean(e);
+  const double by_luminaires = luminaire_mean(e, groups);
   const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
   const ReplicateMean by_sun = sun_.mean(e, survey.below.sun, allowed);
+  groups.add(scene().groups.of_sun(), by_sun.mean);
   result.received += by_luminaires + by_sun.mean;
   result.total += by_luminaires + by_sun.mean;
   result.noise = std::hypot(result.noise, by_sun.standard_error());
+  result.groups = groups.lit();
   return result;
 }
 
@@ -350,8 +358,8 @@ bool DirectSampler::sees(ElementId e, std::int32_t opening) const {
 }
 
 /// Adds one opening's light, or the open sky's, to a measurement; gives the variance of its mean.
-double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays,
-                                  DirectMeasurement& result) const {
+double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result,
+                                  GroupSums& groups) const {
   const std::uint64_t key =
       mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 0x10000));
   std::array<double, kBatches> means{};
@@ -361,7 +369,7 @@ double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32
       const Start ray = start(e, opening, numbers, i);
       if (ray.weight <= 0.0) continue;
       const double weight = ray.weight / (rays * kBatches);
-      Collector collector{&solution_, opening != kOpenSky, &result.beyond};
+      Collector collector{&solution_, opening != kOpenSky, &result.beyond, &groups, weight};
       const std::size_t first = result.beyond.size();
       follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
       for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);
@@ -374,7 +382,7 @@ double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32
   return lux.variance;
 }
 
-double DirectSampler::luminaire_mean(ElementId e) const {
+double DirectSampler::luminaire_mean(ElementId e, GroupSums& groups) const {
   constexpr std::uint32_t kPlaces = 32;
   if (scene().luminaires.empty()) return 0.0;
   const mesh::ElementTree& tree = solution_.tree();
@@ -382,7 +390,7 @@ double DirectSampler::luminaire_mean(ElementId e) const {
   double sum = 0.0;
   for (std::uint32_t i = 0; i < kPlaces; ++i) {
     const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-    sum += luminaire_illuminance(scene(), at, tree.normal(e)).value / kPlaces;
+    sum += luminaire_illuminance(scene(), at, tree.normal(e), 1.0 / kPlaces, groups).value / kPlaces;
   }
   return sum;
 }

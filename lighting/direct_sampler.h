@@ -37,8 +37,10 @@ struct DirectSurvey {
 /// What a node receives on the mean, with independent places and directions.
 struct DirectMeasurement {
   double received = 0.0;  ///< from sky and point sources [lux]
-  double total = 0.0;     ///< with the guess of what lies beyond openings [lux]
-  double noise = 0.0;     ///< standard error of total [lux]
+  /// The same by group, where groups are told apart.
+  std::vector<GroupLight> groups;
+  double total = 0.0;  ///< with the guess of what lies beyond openings [lux]
+  double noise = 0.0;  ///< standard error of total [lux]
   std::vector<SeenSurface> beyond;
 };
 
@@ -74,9 +76,10 @@ class DirectSampler {
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
   void add_sun(const DirectCandidate& candidate, DirectSurvey& result) const;
   void survey_luminaires(mesh::ElementId e, Places& places, double& total) const;
-  double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result) const;
+  double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result,
+                     GroupSums& groups) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
-  [[nodiscard]] double luminaire_mean(mesh::ElementId e) const;
+  double luminaire_mean(mesh::ElementId e, GroupSums& groups) const;
 
   const Solution& solution_;
   const Importance& importance_;

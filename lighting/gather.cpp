@@ -10,14 +10,11 @@
 #include "lighting/emitters.h"
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
-#include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/replicates.h"
-#include "lighting/sampling.h"
 #include "lighting/seen_factor.h"
 #include "lighting/sun_light.h"
-#include "mesh/hash.h"
 #include "mesh/phase_part.h"
 
 namespace clerestory::lighting {
@@ -29,11 +26,6 @@ using mesh::Visibility;
 
 namespace {
 
-/// Independent scramblings of the same points: their spread is the error's estimate.
-constexpr std::size_t kReplicates = 16;
-/// Student's t with 15 degrees of freedom keeps 95.45 % within 2.18 standard errors of the mean; the stated error is so much larger
-/// that twice the error keeps them.
-constexpr double kStudent = 2.18 / 2.0;
 /// Errors are brought to this share of the accuracy: sampling takes what discretisation leaves of it, and half of it anyway, since more
 /// rays cannot mend what the solution has wrong.
 constexpr double kAimed = 0.85;
@@ -56,15 +48,8 @@ constexpr double kManyRays = 8.0;
 using Replicates = std::array<double, kReplicates>;
 
 /// One part of a sensor's light: sums over rays, a replicate each.
-struct Part {
-  enum class Kind { kHemisphere, kOpening, kEmitter, kSun };
-
-  Kind kind = Kind::kHemisphere;
-  std::uint32_t which = 0;  ///< opening or emitter
-  bool clear = false;       ///< nothing stands between the sensor and the opening
-  double full_lux = 0.0;    ///< of an emitter, if all of it were seen
-  double most_lux = 0.0;    ///< of an emitter or a dark opening, if all were seen that is not proven hidden
-  std::uint32_t rays = 0;   ///< a replicate
+struct Part : SensorPart {
+  bool clear = false;  ///< nothing stands between the sensor and the opening
   Replicates sums{};
   Replicates norms{};  ///< what the sums are shares of
 
@@ -96,6 +81,7 @@ std::uint32_t first_rays(double accuracy) {
 struct SensorState {
   std::vector<Part> parts;
   double exact_lux = 0.0;           ///< proven views of emitters, luminaires, a sun without a disc
+  std::vector<GroupLight> exact;    ///< the same by group, where groups are told apart
   double discretisation_lux = 0.0;  ///< error that the solution's own errors make here, and that of luminaires' areas
 
   [[nodiscard]] double mean() const {
@@ -143,6 +129,32 @@ struct Looker {
   }
 };
 
+/// Adds rays up to a part.
+struct PartTaker {
+  const Solution* solution;
+  const SolutionErrors* errors;
+  ErrorSums* wrong;  ///< where asked for
+  Part* part;
+
+  template <class Trace, class Scale>
+  void ray(std::size_t r, const Trace& trace, const Scale& scale) {
+    Looker looker{solution, 0.0, errors, wrong};
+    trace(looker);
+    part->sums[r] += scale(looker.lux);
+    part->norms[r] += 1.0;
+  }
+  void miss(std::size_t r) { part->norms[r] += 1.0; }
+  void sun(std::size_t r, double lux) {
+    part->sums[r] += lux;
+    part->norms[r] += 1.0;
+  }
+  /// The kernel-weighted share of an emitter that the sensor sees, times what all of it would give.
+  void seen(std::size_t r, double kernel, double passed) {
+    part->sums[r] += part->full_lux * kernel * passed;
+    part->norms[r] += kernel;
+  }
+};
+
 /// The sampling error to reach, for an error of all to be allowed [lux].
 double sampling_goal(const SensorState& state, double allowed_lux) {
   const double aimed = kAimed * allowed_lux;
@@ -153,11 +165,7 @@ double sampling_goal(const SensorState& state, double allowed_lux) {
 class Gatherer {
  public:
   Gatherer(const Solution& solution, const SolutionErrors& errors, double accuracy, std::uint64_t seed)
-      : solution_(solution),
-        errors_(errors),
-        seed_(seed),
-        first_rays_(first_rays(accuracy)),
-        emitters_(emitters(solution)) {
+      : solution_(solution), errors_(errors), rays_(solution, seed), first_rays_(first_rays(accuracy)) {
     for (const Opening& opening : scene().openings) opening_ends_.push_back(shaft_end(opening));
   }
 
@@ -166,10 +174,12 @@ class Gatherer {
   [[nodiscard]] SensorState begin(std::size_t sensor, const Point& at, const Vector& normal, bool roughly) const {
     SensorState state;
     const std::uint32_t rays = roughly ? 1 : first_rays_;
-    for (std::uint32_t k = 0; k < emitters_.size(); ++k) see_emitter(k, rays, sensor, at, normal, state);
-    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal);
+    GroupSums exact(scene().groups);
+    for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k) see_emitter(k, rays, sensor, at, normal, state, exact);
+    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal, 1.0, exact);
     state.exact_lux += by_luminaires.value;
-    see_sun(rays, sensor, at, normal, state);
+    see_sun(rays, sensor, at, normal, state, exact);
+    state.exact = exact.lit();
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, normal, state);
     Part hemisphere;
     ErrorSums wrong{};
@@ -224,82 +234,19 @@ class Gatherer {
 
   void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Vector& normal,
               ErrorSums* wrong) const {
-    const std::uint64_t key =
-        mesh::hash(mesh::hash(seed_, sensor), mesh::hash(static_cast<std::uint64_t>(part.kind), part.which));
-    for (std::size_t r = 0; r < kReplicates; ++r) {
-      const SobolPoints points(mesh::hash(key, r));
-      switch (part.kind) {
-        case Part::Kind::kHemisphere:
-          look_around(part, r, until, points, at, normal, wrong);
-          break;
-        case Part::Kind::kOpening:
-          look_out(part, r, until, points, at, normal);
-          break;
-        case Part::Kind::kEmitter:
-          look_at_emitter(part, r, until, points, at, normal);
-          break;
-        case Part::Kind::kSun:
-          look_at_sun(part, r, until, points, at, normal);
-          break;
-      }
-    }
+    PartTaker taker{&solution_, wrong != nullptr ? &errors_ : nullptr, wrong, &part};
+    rays_.cast(part, until, {sensor, at, normal}, taker);
     part.rays = until;
   }
 
-  void look_around(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
-                   const Vector& normal, ErrorSums* wrong) const {
-    const mesh::Frame frame = mesh::frame_around(normal);
-    for (std::uint32_t i = part.rays; i < until; ++i) {
-      Looker looker{&solution_, 0.0, &errors_, wrong};
-      const Vector d = cosine_direction(frame, points.at(i, 0), points.at(i, 1));
-      follow(scene(), at, d, 1.0F, PathRule{PathRule::Part::kGather, -1, true}, looker);
-      part.sums[r] += looker.lux;
-      part.norms[r] += 1.0;
-    }
-  }
-
-  void look_out(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
-                const Vector& normal) const {
-    const OpeningSampler sampler(at, scene().openings[part.which].triangles);
-    const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(part.which), true};
-    for (std::uint32_t i = part.rays; i < until; ++i) {
-      part.norms[r] += 1.0;
-      const SolidAngleSample s = sampler.sample(points.at(i, 0), points.at(i, 1));
-      const double cosine = dot(s.direction, normal);
-      if (cosine <= 0.0 || s.solid_angle_sr <= 0.0) continue;
-      Looker looker{&solution_};
-      follow(scene(), at, s.direction, 1.0F, rule, looker);
-      part.sums[r] += looker.lux * s.solid_angle_sr * cosine / std::numbers::pi;
-    }
-  }
-
-  /// The kernel-weighted share of an emitter that the sensor sees, times what all of it would give.
-  void look_at_emitter(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
-                       const Vector& normal) const {
-    const Emitter& emitter = emitters_[part.which];
-    for (std::uint32_t i = part.rays; i < until; ++i) {
-      const EmitterSample seen = sample(solution_, emitter, at, normal, points.at(i, 0), points.at(i, 1));
-      part.sums[r] += part.full_lux * seen.kernel * seen.passed;
-      part.norms[r] += seen.kernel;
-    }
-  }
-
-  void look_at_sun(Part& part, std::size_t r, std::uint32_t until, const SobolPoints& points, const Point& at,
-                   const Vector& normal) const {
-    for (std::uint32_t i = part.rays; i < until; ++i) {
-      const Vector towards = sun_direction(scene().sky.sun, points.at(i, 0), points.at(i, 1));
-      part.sums[r] += sun_illuminance(scene(), at, normal, towards);
-      part.norms[r] += 1.0;
-    }
-  }
-
-  /// A point of light is seen or not; of a disc a sensor in the penumbra sees a share.
-  void see_sun(std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
-               SensorState& state) const {
+  void see_sun(std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal, SensorState& state,
+               GroupSums& exact) const {
     const Sun& sun = scene().sky.sun;
     if (!sun.shines()) return;
     if (!sun.disc) {
-      state.exact_lux += sun_illuminance(scene(), at, normal);
+      const double lux = sun_illuminance(scene(), at, normal);
+      state.exact_lux += lux;
+      exact.add(scene().groups.of_sun(), lux);
       return;
     }
     Part part;
@@ -309,12 +256,13 @@ class Gatherer {
   }
 
   void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
-                   SensorState& state) const {
-    const Emitter& emitter = emitters_[k];
+                   SensorState& state, GroupSums& exact) const {
+    const Emitter& emitter = rays_.emitters()[k];
     const EmitterView view = look(solution_, emitter, at, normal);
     const SeenFactor seen = seen_factor(solution_, emitter, view, at, normal);
     if (seen.exact) {
       state.exact_lux += emitter.exitance * seen.factor;
+      exact.add(scene().side_group[solution_.tree().face_side(emitter.root).index()], emitter.exitance * seen.factor);
       return;
     }
     Part part;
@@ -361,9 +309,8 @@ class Gatherer {
 
   const Solution& solution_;
   const SolutionErrors& errors_;
-  std::uint64_t seed_;
+  SensorRays rays_;
   std::uint32_t first_rays_;
-  std::vector<Emitter> emitters_;
   std::vector<mesh::ShaftEnd> opening_ends_;
 };
 
@@ -405,6 +352,12 @@ Gathered gather(const Solution& solution, const SolutionErrors& errors, std::spa
     const double sampling = s.sampling_error();
     result.illuminance_lux.push_back(static_cast<float>(s.mean()));
     result.error_lux.push_back(static_cast<float>(std::hypot(sampling, s.discretisation_lux)));
+    if (!solution.scene().groups.parted()) continue;
+    SensorRecord record;
+    record.parts.assign(s.parts.begin(), s.parts.end());
+    record.exact = s.exact;
+    record.discretisation_lux = static_cast<float>(s.discretisation_lux);
+    result.records.push_back(std::move(record));
   }
   return result;
 }

@@ -5,16 +5,26 @@
 #include <span>
 #include <vector>
 
+#include "lighting/channels.h"
+#include "lighting/sensor_rays.h"
 #include "lighting/solution.h"
 #include "lighting/solution_errors.h"
 #include "mesh/progress.h"
 
 namespace clerestory::lighting {
 
+/// How a sensor's light was found: its rays can be cast again.
+struct SensorRecord {
+  std::vector<SensorPart> parts;
+  std::vector<GroupLight> exact;    ///< what took no rays: proven views of emitters, point sources
+  float discretisation_lux = 0.0F;  ///< error that the solution's own errors make
+};
+
 /// Illuminance at sensors with its standard uncertainty (k = 1) [lux].
 struct Gathered {
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;
+  std::vector<SensorRecord> records;  ///< where groups are told apart
 };
 
 /// Evaluates the solution at sensors: emitting surfaces and point sources straight, openings by solid angle, all else over the

@@ -22,6 +22,7 @@ namespace {
 struct Collector {
   const Solution* solution;
   HemisphereView* view;
+  GroupSums* groups;
   float factor;
 
   void surface(const SurfacePoint& point, float weight, bool beyond) {
@@ -30,8 +31,10 @@ struct Collector {
     }
   }
   void sky(const Vector& direction, float weight, bool beyond) {
-    if (beyond)
-      view->mirrored_sky_lux += factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    if (!beyond) return;
+    const double lux = factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    view->mirrored_sky_lux += lux;
+    groups->add(solution->scene().groups.of_sky(direction), lux);
   }
 };
 
@@ -41,12 +44,13 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
   const Scene& scene = solution.scene();
   const mesh::ElementTree& tree = solution.tree();
   HemisphereView view;
+  GroupSums groups(scene.groups);
   view.rays = rays;
   const auto each = static_cast<std::uint32_t>(rays / HemisphereView::kSets);
   for (std::size_t set = 0; set < HemisphereView::kSets; ++set) {
     view.starts[set] = view.seen.size();
     const SobolPoints numbers(mesh::hash(mesh::hash(tree.key(node), seed), 0x4E0 + set));
-    Collector collector{&solution, &view, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
+    Collector collector{&solution, &view, &groups, 1.0F / static_cast<float>(each * HemisphereView::kSets)};
     for (std::uint32_t i = 0; i < each; ++i) {
       const Point at =
           tree.sample(node, numbers.at(i, 0), numbers.at(i, 1)) + scene.rays->offset_m() * tree.normal(node);
@@ -55,6 +59,7 @@ HemisphereView look_around(const Solution& solution, ElementId node, std::uint32
     }
   }
   view.starts[HemisphereView::kSets] = view.seen.size();
+  view.mirrored_groups = groups.lit();
   return view;
 }
 

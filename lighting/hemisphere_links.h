@@ -17,7 +17,8 @@ namespace clerestory::lighting {
 struct HemisphereView {
   /// Surfaces that shine by themselves are left out, but in panes: they have links of their own.
   std::vector<SeenSurface> seen;
-  double mirrored_sky_lux = 0.0;  ///< sky seen in panes
+  double mirrored_sky_lux = 0.0;            ///< sky seen in panes
+  std::vector<GroupLight> mirrored_groups;  ///< the same by group, where groups are told apart
   std::uint32_t rays = 0;
 
   /// Mean illuminance by the radiosities of a solution as they stand, and its standard error [lux].

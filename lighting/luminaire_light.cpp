@@ -148,13 +148,21 @@ AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vecto
 }
 
 AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal) {
+  GroupSums none{SourceGroups()};
+  return luminaire_illuminance(scene, at, normal, 0.0, none);
+}
+
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double share,
+                               GroupSums& groups) {
   AreaMean sum;
   for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const double before = sum.value;
     const Lit lit{scene, scene.luminaires[k], scene.flush_faces[k]};
     add(straight(lit, at, normal), sum);
     for (std::size_t f = 0; f < scene.faces.count(); ++f) {
       if (scene.glazing_of[f] >= 0) add(mirrored(lit, mesh::FaceId(f), at, normal), sum);
     }
+    groups.add(scene.luminaire_group[k], share * (sum.value - before));
   }
   return sum;
 }

@@ -16,6 +16,10 @@ AreaMean illuminance_by(const Luminaire& luminaire, const mesh::Point& at, const
 /// reflection in each pane, as of the luminaire's image behind it.
 AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
 
+/// The same; the groups of the luminaires are given a share of it.
+AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double share,
+                               GroupSums& groups);
+
 /// The faces that a luminaire is flush with: those that cross its luminous opening's box, enlarged by 5 cm, and lie across its axis. They do not
 /// stand in the way of its light on the side to which it aims, as nothing else does in that box.
 std::vector<mesh::FaceId> flush_faces(const Scene& scene, const Luminaire& luminaire);

@@ -35,12 +35,14 @@ constexpr double kSpread = 2.0;
 struct Reflections {
   std::vector<SeenSurface> seen;
   double sky_lux = 0.0;
-  double factor = 0.0;  ///< of the pane itself by the same rays
+  std::vector<GroupLight> groups;  ///< that the sky's light is of
+  double factor = 0.0;             ///< of the pane itself by the same rays
   double noise_lux = 0.0;
 
   void scale(double by) {
     for (SeenSurface& s : seen) s.factor *= static_cast<float>(by);
     sky_lux *= by;
+    for (GroupLight& light : groups) light.lux *= by;
     noise_lux *= by;
   }
 };
@@ -48,6 +50,7 @@ struct Reflections {
 struct Collector {
   const Solution* solution;
   Reflections* into;
+  GroupSums* groups;
   /// Of the ray; weights are shares of it, so that small elements' rays are not dropped for their smallness.
   double factor;
 
@@ -55,7 +58,9 @@ struct Collector {
     into->seen.push_back(seen_surface(*solution, point, static_cast<float>(factor) * weight));
   }
   void sky(const Vector& direction, float weight, bool) {
-    into->sky_lux += factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    const double lux = factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    into->sky_lux += lux;
+    groups->add(solution->scene().groups.of_sky(direction), lux);
   }
 };
 
@@ -83,6 +88,7 @@ class Follower {
     std::vector<std::array<Point, 3>> pane;
     if (!cluster) pane = tree.triangles(link.source.element());
     Reflections result;
+    GroupSums groups(scene().groups);
     std::array<double, kSets> lux{};
     for (std::uint32_t set = 0; set < kSets; ++set) {
       const SobolPoints numbers(mesh::hash(key, set));
@@ -90,11 +96,12 @@ class Follower {
       const double sky_before = result.sky_lux;
       for (std::uint32_t i = 0; i < rays / kSets; ++i) {
         const Aim aim = cluster ? at_cluster(link, numbers, i) : at_element(link, pane, numbers, i);
-        if (aim.factor > 0.0) reflect(aim, aim.factor / rays, result);
+        if (aim.factor > 0.0) reflect(aim, aim.factor / rays, result, groups);
       }
       lux[set] =
           kSets * (result.sky_lux - sky_before + illuminance_by(solution_, std::span(result.seen).subspan(first)));
     }
+    result.groups = groups.lit();
     result.noise_lux = mean_of_replicates(lux).standard_error();
     // The link knows the pane's form factor better than these rays do.
     if (!cluster && result.factor > 0.0) result.scale(link.factor / result.factor);
@@ -151,7 +158,7 @@ class Follower {
     return aim;
   }
 
-  void reflect(const Aim& aim, double factor, Reflections& result) const {
+  void reflect(const Aim& aim, double factor, Reflections& result, GroupSums& groups) const {
     const mesh::FaceSide side = solution_.tree().face_side(aim.pane);
     const Vector& facing = solution_.tree().normal(aim.pane);
     const Point before = aim.at + scene().rays->offset_m() * facing;
@@ -166,7 +173,7 @@ class Follower {
     const float mirrored = mesh::transmittance_at(scene().glazings[static_cast<std::size_t>(glazing)].reflectance,
                                                   static_cast<float>(cosine));
     const Vector onwards = normalized(aim.direction + (2.0 * cosine) * facing);
-    Collector collector{&solution_, &result, factor};
+    Collector collector{&solution_, &result, &groups, factor};
     follow(scene(), before, onwards, passed * mirrored, PathRule{PathRule::Part::kAll, -1, true}, collector, 1);
   }
 
@@ -193,6 +200,10 @@ MirroredLight follow_mirrors(const Solution& solution, const Clusters& clusters,
     result.noise.push_back({link.receiver, reflections[i].noise_lux});
     const auto sky = static_cast<float>(reflections[i].sky_lux);
     if (sky > 0.0F) result.sky.push_back({link.receiver, {sky, sky * slope.slope_u, sky * slope.slope_v}});
+    for (const GroupLight& light : reflections[i].groups) {
+      const auto lux = static_cast<float>(light.lux);
+      result.groups.push_back({link.receiver, light.group, {lux, lux * slope.slope_u, lux * slope.slope_v}});
+    }
   }
   return result;
 }

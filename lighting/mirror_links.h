@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lighting/clusters.h"
+#include "lighting/direct_light.h"
 #include "lighting/links.h"
 #include "lighting/solution.h"
 
@@ -21,6 +22,7 @@ struct MirroredLight {
     LinearValue lux;
   };
   std::vector<FromSky> sky;
+  std::vector<GroupDirect> groups;  ///< the same by group, where groups are told apart
   /// Standard error of a receiver's illuminance by one of the links, as the radiosities stand.
   struct Noise {
     mesh::ElementId receiver;

@@ -55,6 +55,7 @@ class Solver {
         solution_(solution),
         importance_(importance),
         opening_links_(std::move(direct.links)),
+        groups_(std::move(direct.groups)),
         scale_lux_(direct.scale_lux),
         options_(options),
         clusters_(solution.scene(), solution.tree()) {}
@@ -84,7 +85,8 @@ class Solver {
     add_errors();
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
-    return {std::move(all_), std::move(clusters_), std::move(errors), iterations_, convergence_, out_of_elements_};
+    return {std::move(all_), std::move(groups_), std::move(clusters_), std::move(errors),
+            iterations_,     convergence_,       out_of_elements_};
   }
 
  private:
@@ -109,6 +111,8 @@ class Solver {
       if (looks) {
         for (LinearValue& direct : solution_.direct(roots[i]))
           direct.value += static_cast<float>(views[i].mirrored_sky_lux);
+        for (const GroupLight& light : views[i].mirrored_groups)
+          groups_.push_back({roots[i], light.group, {static_cast<float>(light.lux), 0.0F, 0.0F}});
         lookers_.push_back({roots[i], std::move(views[i])});
       }
       for (const std::uint32_t top : clusters_.beginnings()) {
@@ -378,6 +382,7 @@ class Solver {
         direct.slope_v += sky.lux.slope_v;
       }
     }
+    groups_.insert(groups_.end(), mirrored.groups.begin(), mirrored.groups.end());
     for (const MirroredLight::Noise& noise : mirrored.noise)
       solution_.add_error(noise.receiver, noise.lux * noise.lux, 0.0);
     sort_links();
@@ -458,6 +463,7 @@ class Solver {
   std::vector<Looker> lookers_;
   std::vector<Link> links_;
   std::vector<Link> opening_links_;
+  std::vector<GroupDirect> groups_;
   std::vector<Link> all_;
   Arrivals arrivals_;  ///< of all_
   double scale_lux_;

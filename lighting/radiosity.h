@@ -16,7 +16,8 @@ namespace clerestory::lighting {
 
 /// What solve() leaves beside the solution.
 struct Transport {
-  std::vector<Link> links;  ///< sorted by receiver; openings' links among them
+  std::vector<Link> links;          ///< sorted by receiver; openings' links among them
+  std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
   Clusters clusters;
   SolutionErrors errors;
   std::size_t iterations = 0;

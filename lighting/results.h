@@ -51,12 +51,20 @@ struct GridMetrics {
   double share_above_5_percent = 0.0;
 };
 
+/// Light of one source group at the sensors of a grid [lux].
+struct GroupColumn {
+  std::string name;
+  std::vector<float> illuminance_lux;
+  std::vector<float> error_lux;  ///< standard uncertainty, k = 1
+};
+
 struct GridResult {
   std::string name;
   Sensors sensors;
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;                ///< standard uncertainty, k = 1
   std::vector<float> daylight_factor_percent;  ///< empty unless a daylight study
+  std::vector<GroupColumn> groups;             ///< where they are asked for; they add up to illuminance_lux
   /// Where in the plane of the sensors the sky just goes out of sight by an opening [m, model coordinates].
   std::vector<std::array<mesh::Point, 2>> no_sky;
   GridMetrics metrics;

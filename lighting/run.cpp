@@ -7,17 +7,20 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "lighting/channel_solver.h"
 #include "lighting/dark_share.h"
 #include "lighting/direct_light.h"
 #include "lighting/discontinuities.h"
 #include "lighting/energy.h"
 #include "lighting/gather.h"
 #include "lighting/grids.h"
+#include "lighting/group_gather.h"
 #include "lighting/importance.h"
 #include "lighting/limited_progress.h"
 #include "lighting/lit_mesh.h"
@@ -124,12 +127,15 @@ void to_model(Sensors& sensors, const mesh::Vector& origin) {
   }
 }
 
-void evaluate(const Study& study, const Solution& solution, const SolutionErrors& errors, GridResult& grid,
-              std::uint64_t seed, Progress& progress) {
+/// @param groups  none where groups are not told apart
+void evaluate(const Study& study, const Solution& solution, const SolutionErrors& errors,
+              const std::optional<GroupRadiosity>& groups, GridResult& grid, std::uint64_t seed, Progress& progress) {
   const Gathered gathered =
       gather(solution, errors, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
   grid.illuminance_lux = gathered.illuminance_lux;
   grid.error_lux = gathered.error_lux;
+  if (groups)
+    grid.groups = gather_groups(solution, *groups, gathered, grid.sensors.positions, grid.sensors.normals, seed);
   const double outside = study.sky.diffuse_illuminance_lux();
   if (study.kind == Study::Kind::kDaylight && outside > 0.0) {
     for (const float e : grid.illuminance_lux) {
@@ -142,14 +148,15 @@ void evaluate(const Study& study, const Solution& solution, const SolutionErrors
 
 /// Each grid has its share of the phase by its sensors.
 void evaluate_all(const Study& study, const Solution& solution, const SolutionErrors& errors,
-                  std::vector<GridResult>& grids, std::uint64_t seed, Progress& progress) {
+                  const std::optional<GroupRadiosity>& groups, std::vector<GridResult>& grids, std::uint64_t seed,
+                  Progress& progress) {
   double all = 0.0;
   for (const GridResult& grid : grids) all += static_cast<double>(grid.sensors.count());
   double before = 0.0;
   for (std::size_t g = 0; g < grids.size(); ++g) {
     const double end = before + static_cast<double>(grids[g].sensors.count());
     PhasePart part(progress, before / all, end / all);
-    evaluate(study, solution, errors, grids[g], mesh::hash(seed, g), part);
+    evaluate(study, solution, errors, groups, grids[g], mesh::hash(seed, g), part);
     before = end;
   }
 }
@@ -255,6 +262,11 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
   }
 }
 
+GroupRadiosity solve_groups(const Solution& solution, const Transport& transport) {
+  const Arrivals arrivals(transport.links, solution.tree());
+  return solve_channels(solution, ChannelSystem(solution, arrivals, transport.clusters), transport.groups);
+}
+
 /// What did not converge is of no use to others.
 void keep(const Solution& solution, const Transport& transport, double accuracy, Results& results) {
   if (!results.converged) {
@@ -310,9 +322,15 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
       solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
   if (transport.out_of_elements) progress.out_of_elements();
 
+  std::optional<GroupRadiosity> groups;
+  if (scene.groups.parted()) {
+    clock.begin("channels", progress);
+    groups = solve_groups(solution, transport);
+  }
+
   clock.begin("gathering", progress);
   progress.enter(Stage::kGathering);
-  evaluate_all(study, solution, transport.errors, results.grids, seed, progress);
+  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
 
   clock.begin("balancing", progress);
   progress.enter(Stage::kShowing);
@@ -349,7 +367,7 @@ Results sense(const Study& study, const StoredSolution& stored, Progress& watche
 
   clock.begin("gathering", progress);
   progress.enter(LimitedProgress::Stage::kGathering);
-  evaluate_all(study, solution, errors, results.grids, mesh::mix(study.accuracy.seed), progress);
+  evaluate_all(study, solution, errors, {}, results.grids, mesh::mix(study.accuracy.seed), progress);
   conclude(study, scene, progress, results);
   clock.end();
   return results;

@@ -84,6 +84,9 @@ class Solution {
   [[nodiscard]] std::span<LinearValue> gathered(mesh::ElementId e) {
     return std::span(gathered_).subspan(e.index() * channels(), channels());
   }
+  [[nodiscard]] std::span<const LinearValue> gathered(mesh::ElementId e) const {
+    return std::span(gathered_).subspan(e.index() * channels(), channels());
+  }
   void clear_gathered() { std::fill(gathered_.begin(), gathered_.end(), LinearValue{}); }
   /// Irradiance of an element in all [lux]; valid after push_pull().
   [[nodiscard]] std::span<const LinearValue> irradiance(mesh::ElementId e) const {

@@ -87,6 +87,17 @@ TEST(Csv, RefusesArraysOfDifferentLengths) {
   EXPECT_THROW(grid_csv(grid), std::logic_error);
 }
 
+TEST(Csv, GroupsAreColumnsBehindAllOthers) {
+  auto grid = two_sensors();
+  grid.groups = {{"row a", {1.5F, 2.5F}, {0.5F, 0.25F}}};
+  const std::string text = grid_csv(grid);
+  const std::string head = text.substr(0, text.find('\n'));
+  EXPECT_TRUE(head.ends_with(",illuminance_lux_row-a,error_lux_row-a")) << head;
+  EXPECT_TRUE(text.ends_with(",2.5,0.25\n")) << text;
+  grid.groups[0].error_lux.pop_back();
+  EXPECT_THROW(grid_csv(grid), std::logic_error);
+}
+
 TEST(Csv, AFileThatCannotBeWrittenIsTheMachinesFault) {
   const test::ScratchFolder scratch;
   EXPECT_THROW(write_grid_csv(scratch.path() / "missing" / "desk.csv", two_sensors()), MachineError);

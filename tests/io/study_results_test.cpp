@@ -15,6 +15,17 @@ TEST(StudyResults, NothingIsGivenApartUnlessAskedFor) {
   EXPECT_EQ(test::StudyFolder().read(kModel).study.columns, Columns::kMix);
 }
 
+TEST(StudyResults, ColumnsAreThoseAskedFor) {
+  const test::StudyFolder folder;
+  const auto columns = [&](const std::string& word) {
+    return folder.read(kModel + "[results]\ncolumns = '" + word + "'\n").study.columns;
+  };
+  EXPECT_EQ(columns("groups"), Columns::kGroups);
+  EXPECT_EQ(columns("sky-145"), Columns::kSky145);
+  EXPECT_EQ(columns("sky-577"), Columns::kSky577);
+  EXPECT_THROW(columns("sky-146"), InputError);
+}
+
 TEST(StudyResults, SurfacesNameTheirGroupAndGroupsAreDimmed) {
   const lighting::Study study =
       test::StudyFolder()
