@@ -71,6 +71,7 @@ struct GroupLight {
 /// Adds up light by group. Adds nothing where the groups are not told apart.
 class GroupSums {
  public:
+  GroupSums() = default;
   explicit GroupSums(const SourceGroups& groups) : lux_(groups.parted() ? groups.count() : 0, 0.0) {}
 
   void add(std::uint32_t group, double lux) {

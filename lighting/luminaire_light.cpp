@@ -148,7 +148,7 @@ AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vecto
 }
 
 AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal) {
-  GroupSums none{SourceGroups()};
+  GroupSums none;
   return luminaire_illuminance(scene, at, normal, 0.0, none);
 }
 

@@ -55,7 +55,10 @@ TEST(GroupSums, TellWhatIsLitAndNothingWhereGroupsAreOne) {
   EXPECT_EQ(lit[0].group, 7U);
   EXPECT_EQ(lit[0].lux, 2.0);
   EXPECT_EQ(lit[1].group, 145U);
-  GroupSums none{SourceGroups()};
+  GroupSums none;
+  none.add(0, 1.0);
+  EXPECT_TRUE(none.lit().empty());
+  none = GroupSums{SourceGroups()};
   none.add(0, 1.0);
   EXPECT_TRUE(none.lit().empty());
 }
