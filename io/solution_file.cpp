@@ -25,7 +25,7 @@ namespace {
 
 using lighting::StoredSolution;
 
-constexpr std::uint32_t kFormatVersion = 1;
+constexpr std::uint32_t kFormatVersion = 2;
 constexpr std::uint64_t kLargestFile = 8ULL << 30U;
 /// Bytes before the HDF5 file proper, which the format leaves to its users: who wrote the file, and a hash of all that follows. What HDF5
 /// is given to read is whole.
@@ -200,7 +200,9 @@ void visit_numbers(Solution& s, const Number& number) {
   number("links", s.links);
   number("hash_model", s.scene.model);
   number("hash_materials", s.scene.materials);
+  number("hash_reflectances", s.scene.reflectances);
   number("hash_sources", s.scene.sources);
+  number("hash_light", s.scene.light);
   number("emitted_lm", s.energy.emitted_lm);
   number("received_lm", s.energy.received_lm);
   number("absorbed_lm", s.energy.absorbed_lm);
@@ -218,6 +220,13 @@ void visit_tables(Solution& s, const Table& table) {
   table("irradiance", s.irradiance);
   table("misfit_lux", s.misfit_lux);
   table("errors_lux", s.errors);
+  table("closing", s.closing);
+  table("link_ends", s.link_ends);
+  table("link_values", s.link_values);
+  table("group_strengths", s.group_strengths);
+  table("group_nodes", s.group_nodes);
+  table("group_lux", s.group_lux);
+  table("given_errors_lux2", s.given_errors);
 }
 
 std::uint64_t hash_of(std::string_view bytes) {
@@ -289,6 +298,7 @@ void write_solution(const std::filesystem::path& file, const SolutionFile& solut
   writer.text("study", solution.study.string());
   writer.text("kind", solution.kind == lighting::Study::Kind::kDaylight ? "daylight" : "illuminance");
   writer.text("set", joined(solution.set));
+  writer.text("groups", joined(solution.solution.group_names));
   visit_numbers(solution.solution, [&](const char* name, const auto& value) { writer.number(name, value); });
   visit_tables(solution.solution, [&](const char* name, const auto& rows) { writer.table(name, rows); });
   const std::string body = writer.bytes();
@@ -306,6 +316,7 @@ SolutionFile read_solution(const std::filesystem::path& file) {
     found.kind =
         reader.text("kind") == "daylight" ? lighting::Study::Kind::kDaylight : lighting::Study::Kind::kIlluminance;
     found.set = words_of(reader.text("set"));
+    found.solution.group_names = words_of(reader.text("groups"));
     visit_numbers(found.solution, [&](const char* name, auto& value) {
       value = reader.number<std::remove_reference_t<decltype(value)>>(name);
     });

@@ -154,7 +154,7 @@ class Block {
   void emit() {
     const Scene& scene = solution_.scene();
     for (std::size_t r = 0; r < system_.rows.size(); ++r) {
-      const std::uint32_t group = scene.side_group[side(r).index()];
+      const std::uint32_t group = scene.groups.column_of(scene.side_group[side(r).index()]);
       if (!system_.rows[r].is_element || group < first_ || group >= first_ + kLanes) continue;
       const float exitance = scene.side_exitance(side(r))[band_];
       if (exitance > 0.0F) emitted_.push_back({r, group - first_, exitance});
@@ -326,9 +326,11 @@ GroupRadiosity::GroupRadiosity(std::size_t nodes, std::span<const ElementId> ele
 
 GroupRadiosity solve_channels(const Solution& solution, const ChannelSystem& system,
                               std::span<const GroupDirect> direct) {
-  const std::size_t groups = solution.scene().groups.count();
+  const SourceGroups& columns = solution.scene().groups;
+  const std::size_t groups = columns.column_count();
   GroupRadiosity result(solution.tree().size(), solution.elements(), groups);
   std::vector<GroupDirect> by_group(direct.begin(), direct.end());
+  for (GroupDirect& given : by_group) given.group = columns.column_of(given.group);
   std::stable_sort(by_group.begin(), by_group.end(),
                    [](const GroupDirect& a, const GroupDirect& b) { return a.group < b.group; });
   std::vector<double> flux;

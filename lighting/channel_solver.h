@@ -35,7 +35,7 @@ class GroupRadiosity {
   std::vector<float> lines_;        ///< [elements × 3 × groups]
 };
 
-/// Solves for all channels, groups × bands, on the links of a solution: the same gathering, push and pull, a block of channels at a
+/// Solves for all channels, columns of groups × bands, on the links of a solution: the same gathering, push and pull, a block of channels at a
 /// time, each until what is missing of it is far below any accuracy. The sum of all groups is the solution's own light.
 /// @param direct  what the solution's direct light is made of
 GroupRadiosity solve_channels(const Solution& solution, const ChannelSystem& system,

@@ -13,8 +13,10 @@ std::size_t parts_of(Columns columns) { return columns == Columns::kSky577 ? 2 :
 
 }  // namespace
 
-SourceGroups::SourceGroups(Columns columns, bool sky, bool sun, double north_deg)
-    : columns_(columns), patches_(parts_of(columns), north_deg) {
+SourceGroups::SourceGroups(Columns columns, bool kept, bool sky, bool sun, double north_deg)
+    : columns_(columns),
+      parts_(kept && columns != Columns::kSky577 ? Columns::kSky145 : columns),
+      patches_(parts_of(parts_), north_deg) {
   using Kind = SourceGroup::Kind;
   if (!parted()) return;
   groups_.clear();
@@ -22,6 +24,7 @@ SourceGroups::SourceGroups(Columns columns, bool sky, bool sun, double north_deg
     for (std::size_t p = 0; p < patches_.count(); ++p)
       groups_.push_back({"sky-" + std::to_string(p + 1), Kind::kSkyPatch});
     groups_.push_back({"ground", Kind::kGround});
+    if (columns == Columns::kGroups) joined_ = static_cast<std::uint32_t>(patches_.count());
   } else if (sky) {
     groups_.push_back({"sky", Kind::kSky});
   }
@@ -34,11 +37,11 @@ std::uint32_t SourceGroups::add_lamps(const std::string& name) {
   if (!parted()) return 0;
   const auto found =
       std::find_if(groups_.begin(), groups_.end(), [&](const SourceGroup& group) { return group.name == name; });
-  if (found == groups_.end()) {
+  if (name != "sky" && found == groups_.end()) {
     groups_.push_back({name, SourceGroup::Kind::kLamps});
     return static_cast<std::uint32_t>(groups_.size() - 1);
   }
-  if (found->kind != SourceGroup::Kind::kLamps)
+  if (name == "sky" || found->kind != SourceGroup::Kind::kLamps)
     throw InputError("", 0, "a group of lamps is named '" + name + "', as a part of the daylight is",
                      "give it another name");
   return static_cast<std::uint32_t>(found - groups_.begin());

@@ -26,6 +26,9 @@ struct SourceGroup {
 
   std::string name;  ///< in columns: "sky", "sky-1" … "sky-145", "ground", "sun", or as lamps name it
   Kind kind = Kind::kSky;
+  /// How bright its sources are: of a patch or the ground the mean luminance [cd/m²], of lamps how far they are dimmed. Sources of one
+  /// group keep their proportions.
+  double strength = 1.0;
 };
 
 /// The source groups of a scene. A channel of the solution is one group in one band: number group · bands + band. All channels share one
@@ -35,14 +38,28 @@ class SourceGroups {
  public:
   /// One group of everything.
   SourceGroups() = default;
+  /// @param columns    whose results are given apart
+  /// @param kept       whether a solution is kept, for which the sky is told apart in patches in any case
   /// @param north_deg  from +y, counter-clockwise
-  SourceGroups(Columns columns, bool sky, bool sun, double north_deg);
+  SourceGroups(Columns columns, bool kept, bool sky, bool sun, double north_deg);
 
   /// Whether there are groups to be told apart.
-  [[nodiscard]] bool parted() const { return columns_ != Columns::kMix; }
+  [[nodiscard]] bool parted() const { return parts_ != Columns::kMix; }
   [[nodiscard]] std::size_t count() const { return groups_.size(); }
   [[nodiscard]] const SourceGroup& operator[](std::size_t group) const { return groups_[group]; }
   [[nodiscard]] const std::vector<SourceGroup>& all() const { return groups_; }
+
+  /// Whether results are given apart, in columns: of a group each, or the sky's patches and the ground in one.
+  [[nodiscard]] bool has_columns() const { return columns_ != Columns::kMix; }
+  [[nodiscard]] std::size_t column_count() const { return groups_.size() - joined_; }
+  [[nodiscard]] std::uint32_t column_of(std::uint32_t group) const { return group <= joined_ ? 0 : group - joined_; }
+  [[nodiscard]] std::string column_name(std::size_t column) const {
+    return joined_ > 0 && column == 0 ? "sky" : groups_[column + joined_].name;
+  }
+
+  void set_strength(std::uint32_t group, double strength) {
+    if (parted()) groups_[group].strength = strength;
+  }
 
   /// The group of lamps of that name, made where it is not there yet; 0 where nothing is told apart.
   /// Throws InputError for the name of a group of the sky or the sun.
@@ -51,14 +68,16 @@ class SourceGroups {
   [[nodiscard]] std::uint32_t of_sky(const mesh::Vector& direction) const;
   /// The group of the sun; there must be one, or nothing is told apart.
   [[nodiscard]] std::uint32_t of_sun() const { return sun_; }
-  /// The patches of the sky, whose groups are 0 up to their count, with the ground behind them. Meaningful for kSky145 and kSky577.
+  /// The patches of the sky, whose groups are 0 up to their count, with the ground behind them; only where it has patches.
   [[nodiscard]] const SkyPatches& patches() const { return patches_; }
-  [[nodiscard]] bool has_patches() const { return columns_ == Columns::kSky145 || columns_ == Columns::kSky577; }
+  [[nodiscard]] bool has_patches() const { return parts_ == Columns::kSky145 || parts_ == Columns::kSky577; }
 
  private:
   Columns columns_ = Columns::kMix;
+  Columns parts_ = Columns::kMix;  ///< into which light is told apart
   SkyPatches patches_;
   std::uint32_t sun_ = 0;
+  std::uint32_t joined_ = 0;  ///< groups of the sky in the first column, but one
   std::vector<SourceGroup> groups_{SourceGroup{"all", SourceGroup::Kind::kSky}};
 };
 

@@ -21,6 +21,7 @@ struct ClusterPoint {
 /// first, neighbours next; panes, which mirror, and surfaces that shine by themselves are bundled apart from all else. Leaves hold one root each.
 class Clusters {
  public:
+  Clusters() = default;
   Clusters(const Scene& scene, const mesh::ElementTree& tree);
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }

@@ -352,7 +352,7 @@ Gathered gather(const Solution& solution, const SolutionErrors& errors, std::spa
     const double sampling = s.sampling_error();
     result.illuminance_lux.push_back(static_cast<float>(s.mean()));
     result.error_lux.push_back(static_cast<float>(std::hypot(sampling, s.discretisation_lux)));
-    if (!solution.scene().groups.parted()) continue;
+    if (!solution.scene().groups.has_columns()) continue;
     SensorRecord record;
     record.parts.assign(s.parts.begin(), s.parts.end());
     record.exact = s.exact;

@@ -32,14 +32,15 @@ struct GroupLooker {
     const Scene& scene = solution->scene();
     if (with_emission) {
       const double own = luminance(scene.side_exitance(seen.side), scene.channel_weights);
-      lux[scene.side_group[seen.side.index()]] += share * weight * own;
+      lux[scene.groups.column_of(scene.side_group[seen.side.index()])] += share * weight * own;
     }
     const double factor = share * weight * shown_share(e, seen);
     if (factor > 0.0) add_reflected(e, seen.at, static_cast<float>(factor));
   }
   void sky(const Vector& direction, float weight, bool) {
     const Scene& scene = solution->scene();
-    lux[scene.groups.of_sky(direction)] += share * weight * std::numbers::pi * sky_luminance(scene.sky, direction);
+    lux[scene.groups.column_of(scene.groups.of_sky(direction))] +=
+        share * weight * std::numbers::pi * sky_luminance(scene.sky, direction);
   }
 
  private:
@@ -148,7 +149,8 @@ class GroupGatherer {
       const double missed = part.most_lux / (static_cast<double>(kReplicates) * part.rays);
       if (lit <= 0.0) result.variance[group] += missed * missed;
     }
-    for (const GroupLight& light : record.exact) result.mean[light.group] += light.lux;
+    for (const GroupLight& light : record.exact)
+      result.mean[solution_.scene().groups.column_of(light.group)] += light.lux;
     return result;
   }
 
@@ -157,11 +159,12 @@ class GroupGatherer {
   [[nodiscard]] std::uint32_t group_of(const SensorPart& part, const SensorPlace& place) const {
     const Scene& scene = solution_.scene();
     if (part.kind == SensorPart::Kind::kEmitter)
-      return scene.side_group[solution_.tree().face_side(rays_.emitters()[part.which].root).index()];
-    if (part.kind == SensorPart::Kind::kSun) return scene.groups.of_sun();
+      return scene.groups.column_of(
+          scene.side_group[solution_.tree().face_side(rays_.emitters()[part.which].root).index()]);
+    if (part.kind == SensorPart::Kind::kSun) return scene.groups.column_of(scene.groups.of_sun());
     if (part.kind == SensorPart::Kind::kHemisphere || !scene.has_sky()) return 0;
     const mesh::ShaftEnd end = shaft_end(scene.openings[part.which]);
-    return scene.groups.of_sky(normalized(midpoint(end.corners[0], end.corners[2]) - place.at));
+    return scene.groups.column_of(scene.groups.of_sky(normalized(midpoint(end.corners[0], end.corners[2]) - place.at)));
   }
 
   const Solution& solution_;
@@ -176,8 +179,9 @@ std::vector<GroupColumn> gather_groups(const Solution& solution, const GroupRadi
                                        std::span<const Vector> normals, std::uint64_t seed) {
   const SourceGroups& groups = solution.scene().groups;
   std::vector<GroupColumn> columns;
-  for (const SourceGroup& group : groups.all())
-    columns.push_back({group.name, std::vector<float>(positions.size()), std::vector<float>(positions.size())});
+  for (std::size_t c = 0; c < groups.column_count(); ++c)
+    columns.push_back(
+        {groups.column_name(c), std::vector<float>(positions.size()), std::vector<float>(positions.size())});
   const GroupGatherer gatherer(solution, radiosity, seed);
   const double lift = solution.scene().rays->offset_m();
   parallel_for(positions.size(), [&](std::size_t i) {

@@ -10,6 +10,7 @@
 
 #include "lighting/form_factor.h"
 #include "lighting/linear_fit.h"
+#include "lighting/relaxation.h"
 #include "lighting/sampling.h"
 #include "mesh/hash.h"
 
@@ -249,19 +250,8 @@ double Linker::worst_strain(const Link& link) const {
 double Linker::strain(const Link& link) const {
   const double most = tolerance(link.receiver);
   if (link.rough) return share_of(most_light(link.receiver, link.source), most);
-  return share_of(link.error * mean_of(link.source) + uneven_light(link), most);
-}
-
-double Linker::mean_of(LinkSource source) const {
-  return source.is_cluster() ? clusters_.radiosity_mean(source.cluster()) : solution_.radiosity_mean(source.element());
-}
-
-double Linker::uneven_light(const Link& link) const {
-  if (link.source.is_cluster()) return link.factor * clusters_.radiosity_deviation(link.source.cluster());
-  const mesh::ElementTree& tree = solution_.tree();
-  const ElementId s = link.source.element();
-  const double distance = std::max(1e-9, norm(tree.centroid(s) - tree.centroid(link.receiver)));
-  return link.factor * solution_.radiosity_deviation(s) * std::min(1.0, tree.radius(s) / distance);
+  return share_of(link.error * mean_of(solution_, clusters_, link.source) + uneven_light(solution_, clusters_, link),
+                  most);
 }
 
 LinkDecision::Kind Linker::split_of(const Link& link) const {

@@ -55,11 +55,6 @@ class Linker {
   [[nodiscard]] LinkDecision::Kind split_of(const Link& link) const;
   /// Error of a receiver's illuminance that causes as much at the sensors as one link may [lux].
   [[nodiscard]] double tolerance(mesh::ElementId receiver) const;
-  /// Mean radiosity of a source [lm/m²].
-  [[nodiscard]] double mean_of(LinkSource source) const;
-  /// What a receiver may get more or less because parts of the source differ from its line, as far as they are seen under different
-  /// factors [lux].
-  [[nodiscard]] double uneven_light(const Link& link) const;
 
  private:
   [[nodiscard]] std::optional<Link> link_element(const LinkCandidate& candidate) const;

@@ -20,6 +20,9 @@ class LinkSource {
   [[nodiscard]] bool is_cluster() const { return (value_ & kCluster) != 0; }
   [[nodiscard]] mesh::ElementId element() const { return mesh::ElementId(value_); }
   [[nodiscard]] std::uint32_t cluster() const { return value_ & ~kCluster; }
+  /// As it is kept in files.
+  [[nodiscard]] std::uint32_t number() const { return value_; }
+  static LinkSource of_number(std::uint32_t number) { return LinkSource(number); }
   bool operator==(const LinkSource&) const = default;
 
  private:

@@ -17,6 +17,7 @@
 #include "lighting/linker.h"
 #include "lighting/mirror_links.h"
 #include "lighting/parallel.h"
+#include "lighting/relaxation.h"
 
 namespace clerestory::lighting {
 
@@ -27,10 +28,6 @@ namespace {
 
 /// Tolerances of the passes, as multiples of the last.
 constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
-/// Iterations cost next to nothing beside links: they go on, at any accuracy, until what is missing is this share of all flux.
-constexpr double kConverged = 1e-6;
-/// Where the run must end, until it is this share: it counts as an error, and light has got around all the same.
-constexpr double kNearlyConverged = 1e-3;
 /// Shares of the time of linking at which the passes end, measured on the validation scenes.
 constexpr std::array<double, kPasses.size()> kEndOfPass{0.3, 0.5, 0.9};
 constexpr double kEndOfMirrors = 0.94;
@@ -44,8 +41,6 @@ constexpr double kBrightness = 2.0;
 constexpr double kSpread = 0.7;
 constexpr std::uint32_t kLooks = 32;
 constexpr std::uint32_t kMostLooks = 128;
-/// No closed scene of reflectance under 0.99 needs as many.
-constexpr std::size_t kMostIterations = 5000;
 
 class Solver {
  public:
@@ -82,10 +77,12 @@ class Solver {
     close_hemispheres(solution_, arrivals_);
     iterate();
     progress_.advance(kEndOfClosing);
-    add_errors();
+    add_errors_of_looks();
+    given_errors_ = solution_.errors();
+    add_link_errors(solution_, clusters_, arrivals_);
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
-    return {std::move(all_), std::move(groups_), std::move(clusters_), std::move(errors),
+    return {std::move(all_), std::move(groups_), std::move(given_errors_), std::move(clusters_), std::move(errors),
             iterations_,     convergence_,       out_of_elements_};
   }
 
@@ -395,66 +392,18 @@ class Solver {
 
   [[nodiscard]] bool is_pane(ElementId e) const { return solution_.scene().is_pane(solution_.tree().face_side(e)); }
 
-  [[nodiscard]] Solution::Sent sent_by(LinkSource source, std::size_t channel) const {
-    if (!source.is_cluster()) return solution_.sent(source.element(), channel);
-    return {clusters_.radiosity(source.cluster())[channel], {}};
-  }
-
-  void gather() {
-    parallel_for(
-        arrivals_.receivers(),
-        [&](std::size_t i) {
-          const auto sums = solution_.gathered(arrivals_.receiver(i));
-          std::fill(sums.begin(), sums.end(), LinearValue{});
-          arrivals_.visit(i, [&](const Link& link) { add(link, sums); });
-        },
-        64);
-  }
-
-  void add(const Link& link, std::span<LinearValue> sums) const {
-    for (std::size_t c = 0; c < sums.size(); ++c) {
-      const Solution::Sent sent = sent_by(link.source, c);
-      sums[c].value += link.factor * sent.value + link.moment_u * sent.moments.u + link.moment_v * sent.moments.v;
-      sums[c].slope_u += link.slope_u * sent.value;
-      sums[c].slope_v += link.slope_v * sent.value;
-    }
-  }
-
-  /// The links' errors at their receivers. Errors of different links are independent.
-  void add_errors() {
-    const Linker linker(solution_, clusters_, importance_, options_.link_share * options_.accuracy * scale_lux_,
-                        options_.seed);
+  /// What roots see by rays is wrong by their noise.
+  void add_errors_of_looks() {
     for (const Looker& looker : lookers_) {
       const double error = looker.view.estimate(solution_).error_lux;
       solution_.add_error(looker.root, error * error, 0.0);
     }
-    for (std::size_t i = 0; i < arrivals_.receivers(); ++i) {
-      arrivals_.visit(i, [&](const Link& link) {
-        const double mean = linker.mean_of(link.source);
-        const double noise = link.noise * mean;
-        const double misfit = (link.error - link.noise) * mean;
-        // Clusters' places were weighed by how bright they are.
-        const double uneven = link.source.is_cluster() ? 0.0 : linker.uneven_light(link);
-        solution_.add_error(link.receiver, noise * noise + uneven * uneven, misfit * misfit);
-      });
-    }
   }
 
   void iterate() {
-    solution_.clear_gathered();
-    double last = 0.0;
-    for (std::size_t i = 0; i < kMostIterations; ++i) {
-      clusters_.pull(solution_);
-      gather();
-      const double change = solution_.push_pull();
-      ++iterations_;
-      // Changes shrink by a factor q a step: what is still to come is the rest of the geometric series.
-      const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
-      convergence_ = change * q / (1.0 - q);
-      last = change;
-      if (convergence_ <= (progress_.should_finish() ? kNearlyConverged : kConverged)) break;
-    }
-    clusters_.pull(solution_);
+    const Relaxed relaxed = relax(solution_, clusters_, arrivals_, progress_);
+    iterations_ += relaxed.iterations;
+    convergence_ = relaxed.missing;
   }
 
   Progress& progress_;
@@ -471,6 +420,7 @@ class Solver {
   Clusters clusters_;
   std::size_t iterations_ = 0;
   double convergence_ = 0.0;
+  std::vector<Solution::Errors> given_errors_;
   bool out_of_elements_ = false;
 };
 

@@ -18,6 +18,8 @@ namespace clerestory::lighting {
 struct Transport {
   std::vector<Link> links;          ///< sorted by receiver; openings' links among them
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
+  std::vector<Solution::Errors>
+      given_errors;  ///< [nodes] of what nodes receive by rays of their own, without the links' errors
   Clusters clusters;
   SolutionErrors errors;
   std::size_t iterations = 0;

@@ -27,6 +27,7 @@
 #include "lighting/local_pass.h"
 #include "lighting/parallel.h"
 #include "lighting/radiosity.h"
+#include "lighting/resolve.h"
 #include "lighting/scene.h"
 #include "lighting/shown_mesh.h"
 #include "lighting/surface_values.h"
@@ -273,9 +274,8 @@ void keep(const Solution& solution, const Transport& transport, double accuracy,
     results.notices.emplace_back("the solution is not kept: it did not converge");
     return;
   }
-  results.solution = store(solution, transport.errors, accuracy);
+  results.solution = store(solution, transport, accuracy);
   results.solution->energy = results.energy;
-  results.solution->links = transport.links.size();
 }
 
 ThreadLimit& thread_limit() {
@@ -323,7 +323,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   if (transport.out_of_elements) progress.out_of_elements();
 
   std::optional<GroupRadiosity> groups;
-  if (scene.groups.parted()) {
+  if (scene.groups.has_columns()) {
     clock.begin("channels", progress);
     groups = solve_groups(solution, transport);
   }
@@ -347,7 +347,9 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   return results;
 }
 
-Results sense(const Study& study, const StoredSolution& stored, Progress& watched, const Limits& limits) {
+Results sense(const Study& asked, const StoredSolution& stored, Progress& watched, const Limits& limits) {
+  Study study = asked;
+  study.keep_solution = true;  // its light is told apart as it was stored
   Results results;
   Clock clock(results.phases);
   LimitedProgress progress(watched, limits);
@@ -360,14 +362,26 @@ Results sense(const Study& study, const StoredSolution& stored, Progress& watche
 
   clock.begin("meshing", progress);
   Solution solution = unsolved(scene, progress);
-  const SolutionErrors errors = restore(stored, solution);
+  const std::uint64_t seed = mesh::mix(study.accuracy.seed);
+  Transport transport;
   results.energy = stored.energy;
+  std::optional<GroupRadiosity> groups;
+  if (needs_solving(stored, scene) || scene.groups.has_columns()) {
+    clock.begin("solving", progress);
+    transport = resolve(stored, solution, progress);
+    if (scene.groups.has_columns()) groups = solve_groups(solution, transport);
+    results.counts.iterations = transport.iterations;
+    clock.begin("balancing", progress);
+    results.energy = energy_balance(solution, transport, seed);
+  } else {
+    transport.errors = restore(stored, solution);
+  }
   results.counts.elements = solution.elements().size();
   results.counts.links = stored.links;
 
   clock.begin("gathering", progress);
   progress.enter(LimitedProgress::Stage::kGathering);
-  evaluate_all(study, solution, errors, {}, results.grids, mesh::mix(study.accuracy.seed), progress);
+  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
   conclude(study, scene, progress, results);
   clock.end();
   return results;

@@ -15,9 +15,9 @@ namespace clerestory::lighting {
 /// LimitReached, Interrupted, and MachineError for the machine's memory.
 Results run(const Study& study, Progress& progress, const Limits& limits = {});
 
-/// Answers the grids of a study from a solution that was stored, without solving: the study may differ in its grids alone, and in the
-/// accuracy that they are asked for. The surfaces of the results are empty. Grids that the solved study had as well, in the same place of
-/// the list, come out the same to the bit. Throws as run(), and InputError where the solution is of another study.
+/// Answers the grids of a study from a solution that was stored. The study may differ in its grids, and in the accuracy that they are asked
+/// for, without solving; in reflectances, sky and dimming, and in its columns, by solving on the stored links. The surfaces of the results are empty. Grids that the solved study had as well, in the same place of
+/// the list, come out the same to the bit where nothing was solved. Throws as run(), and InputError where the solution is of another study.
 Results sense(const Study& study, const StoredSolution& stored, Progress& progress, const Limits& limits = {});
 
 /// Sets how many threads all of the program uses; 0 takes every core. Call before run().

@@ -216,13 +216,37 @@ std::optional<std::string> group_of(const Study& study, const Scene& scene, Face
   return study.materials[scene.faces.faces[side.face.index()].material_of(side.side).index()].name;
 }
 
+/// Mean luminance of a part of the sky [cd/m²].
+double mean_luminance(const Sky& sky, const SkyPatches& patches, std::size_t patch) {
+  constexpr int kPlaces = 6;  // along either side
+  double sum = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    for (int j = 0; j < kPlaces; ++j)
+      sum += sky_luminance(sky, patches.direction(patch, (i + 0.5) / kPlaces, (j + 0.5) / kPlaces));
+  }
+  return sum / (kPlaces * kPlaces);
+}
+
+void measure_sky(Scene& scene) {
+  if (!scene.groups.has_patches() || !scene.has_sky()) return;
+  const SkyPatches& patches = scene.groups.patches();
+  for (std::uint32_t p = 0; p < patches.count(); ++p)
+    scene.groups.set_strength(p, mean_luminance(scene.sky, patches, p));
+  scene.groups.set_strength(static_cast<std::uint32_t>(patches.count()), sky_luminance(scene.sky, {0.0, 0.0, -1.0}));
+  if (scene.sky.sun.shines()) scene.groups.set_strength(scene.groups.of_sun(), scene.sky.sun.normal_illuminance_lux);
+}
+
 /// Names are given in the order of the sources, those of luminaires first.
 void find_groups(const Study& study, Scene& scene) {
-  scene.groups = SourceGroups(study.columns, scene.has_sky(), scene.sky.sun.shines(), study.north_deg);
+  scene.groups =
+      SourceGroups(study.columns, study.keep_solution, scene.has_sky(), scene.sky.sun.shines(), study.north_deg);
+  measure_sky(scene);
   std::set<std::string> names;
   for (Luminaire& luminaire : scene.luminaires) {
     scene.luminaire_group.push_back(scene.groups.add_lamps(luminaire.group));
-    luminaire.factor *= dimming_of(study, luminaire.group);
+    scene.luminaire_dimming.push_back(dimming_of(study, luminaire.group));
+    scene.groups.set_strength(scene.luminaire_group.back(), scene.luminaire_dimming.back());
+    luminaire.factor *= scene.luminaire_dimming.back();
     names.insert(luminaire.group);
   }
   for (std::size_t s = 0; s < 2 * scene.faces.count(); ++s) {

@@ -58,6 +58,7 @@ struct Scene {
   SourceGroups groups;                                 ///< of sky, sun and lamps
   std::vector<std::uint32_t> side_group;               ///< [sides] of those that shine
   std::vector<std::uint32_t> luminaire_group;          ///< [luminaires]
+  std::vector<double> luminaire_dimming;               ///< [luminaires] in their factors
   std::unique_ptr<mesh::Rays> rays;
   std::unique_ptr<mesh::Shafts> shafts;
   std::vector<Results::MaterialUse> materials;

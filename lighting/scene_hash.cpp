@@ -2,6 +2,7 @@
 #include "lighting/scene_hash.h"
 
 #include <bit>
+#include <cmath>
 #include <concepts>
 
 #include "lighting/scene.h"
@@ -58,7 +59,6 @@ std::uint64_t hash_of_materials(const Scene& scene) {
   Digest digest;
   digest.add(scene.channels);
   digest.add_all(scene.channel_weights);
-  digest.add_all(scene.reflectance);
   digest.add_all(scene.passable);
   digest.add_all(scene.glazing_of);
   digest.add_all(scene.opening_of);
@@ -73,7 +73,6 @@ void add_luminaire(const Luminaire& luminaire, Digest& digest) {
   digest.add(luminaire.at);
   digest.add(luminaire.axes.u);
   digest.add(luminaire.axes.w);
-  digest.add(luminaire.factor);
   const LuminousOpening& opening = luminaire.opening;
   digest.add(static_cast<int>(opening.shape));
   digest.add(mesh::Vector{opening.x_m, opening.y_m, opening.z_m});
@@ -87,7 +86,28 @@ void add_luminaire(const Luminaire& luminaire, Digest& digest) {
   digest.add(web.grid().closed);
 }
 
+std::uint64_t hash_of_reflectances(const Scene& scene) {
+  Digest digest;
+  digest.add_all(scene.reflectance);
+  return digest.value();
+}
+
 std::uint64_t hash_of_sources(const Scene& scene) {
+  Digest digest;
+  for (const float exitance : scene.exitance) digest.add(exitance > 0.0F);
+  digest.add(scene.has_sky());
+  digest.add(scene.sky.sun.shines());
+  digest.add(scene.sky.sun.towards);
+  digest.add(scene.sky.sun.disc);
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    add_luminaire(scene.luminaires[k], digest);
+    const double dimming = scene.luminaire_dimming[k];
+    digest.add(dimming > 0.0 ? std::llround(1e9 * scene.luminaires[k].factor / dimming) : 0LL);
+  }
+  return digest.value();
+}
+
+std::uint64_t hash_of_light(const Scene& scene) {
   Digest digest;
   digest.add_all(scene.exitance);
   digest.add(static_cast<int>(scene.sky.type));
@@ -99,14 +119,15 @@ std::uint64_t hash_of_sources(const Scene& scene) {
   digest.add(scene.sky.sun.towards);
   digest.add(scene.sky.sun.normal_illuminance_lux);
   digest.add(scene.sky.sun.disc);
-  for (const Luminaire& luminaire : scene.luminaires) add_luminaire(luminaire, digest);
+  for (const Luminaire& luminaire : scene.luminaires) digest.add(luminaire.factor);
   return digest.value();
 }
 
 }  // namespace
 
 SceneHash hash_of(const Scene& scene) {
-  return {hash_of_model(scene), hash_of_materials(scene), hash_of_sources(scene)};
+  return {hash_of_model(scene), hash_of_materials(scene), hash_of_reflectances(scene), hash_of_sources(scene),
+          hash_of_light(scene)};
 }
 
 }  // namespace clerestory::lighting

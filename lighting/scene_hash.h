@@ -9,9 +9,11 @@ struct Scene;
 
 /// What a solution stands on, hashed by kind, so that one can say what has changed. Of one machine type and one version of the program.
 struct SceneHash {
-  std::uint64_t model = 0;      ///< faces as cleaned, with their contacts and parts
-  std::uint64_t materials = 0;  ///< reflectances, glazing and openings of all faces
-  std::uint64_t sources = 0;    ///< sky, surfaces that shine, point sources
+  std::uint64_t model = 0;         ///< faces as cleaned, with their contacts and parts
+  std::uint64_t materials = 0;     ///< glazing and openings of all faces, bands
+  std::uint64_t reflectances = 0;  ///< of all faces
+  std::uint64_t sources = 0;       ///< which surfaces shine, and luminaires; whether there is a sky
+  std::uint64_t light = 0;         ///< how bright all of these are
 
   bool operator==(const SceneHash&) const = default;
 };

@@ -64,6 +64,12 @@ std::size_t Solution::gained_by_opening(ElementId e) const {
   return (tree_.has_children(e) ? tree_.child_count(e) : mesh::ElementTree::kPartsOfTriangle) - 1;
 }
 
+std::vector<Solution::Errors> Solution::errors() const {
+  std::vector<Errors> all(noise2_.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = {noise2_[i], misfit2_[i]};
+  return all;
+}
+
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
   return element_at(tree_.find_start(side, region, point), point);
 }

@@ -125,6 +125,13 @@ class Solution {
     noise2_[e.index()] += static_cast<float>(noise2_lux2);
     misfit2_[e.index()] += static_cast<float>(misfit2_lux2);
   }
+  /// Squared errors of what a node receives itself [lux²]: as add_error() has them.
+  struct Errors {
+    float noise2 = 0.0F;
+    float misfit2 = 0.0F;
+  };
+  /// Of all nodes.
+  [[nodiscard]] std::vector<Errors> errors() const;
   /// Standard errors of what a node receives itself [lux].
   [[nodiscard]] float noise(mesh::ElementId e) const { return std::sqrt(noise2_[e.index()]); }
   [[nodiscard]] float misfit(mesh::ElementId e) const { return std::sqrt(misfit2_[e.index()]); }

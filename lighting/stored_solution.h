@@ -4,15 +4,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lighting/energy_balance.h"
 #include "lighting/scene_hash.h"
+#include "mesh/ids.h"
 
 namespace clerestory::lighting {
 
 class Solution;
 class SolutionErrors;
+struct LinearValue;
+struct Link;
+struct Scene;
+struct Transport;
 
 /// A solution as it is kept: what its element tree has become, by numbers of nodes, and what its elements receive. The start of the tree
 /// follows from the scene, which the hash holds fast.
@@ -31,13 +37,38 @@ struct StoredSolution {
   std::uint64_t seed = 0;                    ///< of these samples
   EnergyBalance energy;
   std::uint64_t links = 0;  ///< that it was made with
+
+  // What it can be solved with anew.
+  std::vector<std::array<std::uint32_t, 3>> link_ends;  ///< receiver, number of the source, how the link was made
+  std::vector<std::array<float, 8>> link_values;        ///< factor, slopes, moments, error, back error, noise
+  std::vector<std::array<float, 3>> closing;            ///< [elements] as LinearValue
+  std::vector<std::string> group_names;
+  std::vector<double> group_strengths;
+  std::vector<std::array<std::uint32_t, 2>> group_nodes;  ///< node and group that it has direct light of
+  std::vector<std::array<float, 3>> group_lux;            ///< of these [lux, lux/m], as LinearValue
+  std::vector<std::array<float, 2>> given_errors;         ///< [nodes that take part] Transport::given_errors
 };
 
-/// All but the energy balance and the number of links, which the solution does not know.
-StoredSolution store(const Solution& solution, const SolutionErrors& errors, double accuracy);
+/// All but the energy balance, which the solution does not know. The scene's groups must be told apart.
+StoredSolution store(const Solution& solution, const Transport& transport, double accuracy);
 
-/// Makes a fresh solution of the same scene what the stored one was, and gives its errors.
+/// Whether surfaces reflect, or sources shine, otherwise than when the solution was stored.
+bool needs_solving(const StoredSolution& stored, const Scene& scene);
+
+/// Grows the tree of a fresh solution of the same scene to what the stored one's was.
+/// Throws InputError where the two do not fit, and says what has changed.
+void regrow(const StoredSolution& stored, Solution& solution);
+
+/// Makes a fresh solution of the same scene, with the same light, what the stored one was, and gives its errors.
 /// Throws InputError where the two do not fit, and says what has changed.
 SolutionErrors restore(const StoredSolution& stored, Solution& solution);
+
+/// The nodes of a solution that take part, in order.
+std::vector<mesh::ElementId> nodes_of(const Solution& solution);
+
+LinearValue line_of(const std::array<float, 3>& row);
+
+/// The links of a stored solution whose tree has been regrown. Throws InputError for damaged ones.
+std::vector<Link> stored_links(const StoredSolution& stored, const Solution& solution);
 
 }  // namespace clerestory::lighting

@@ -235,9 +235,13 @@ def stored_solution_answers_new_grids_and_no_other_study(command):
                 'name = "eyes", surface = "rooms", height = 1.2')
     expect("eyes.csv" in command.contents("eyes"), "the new grid is missing")
     for arguments, status, why in (
-            (("-o", "room-results"), 1, "would replace"), (("--set", "sky.ground_reflectance=0.4"), 1, "have changed"),
+            (("-o", "room-results"), 1, "would replace"), (("--set", "materials.glass.glazing.transmittance=0.4"), 1, "have changed"),
             (("--grid", 'nam = "eyes"'), 2, "did you mean 'name'")):
         expect(why in command.run("sense", "room-results", *arguments, status=status, lines=1), f"not told: {why}")
+    command.run("sense", "room-results", "--quiet", "-o", "bright", "--set", "materials.wall.reflectance=0.8")
+    mean = [sum(float(line.split(",")[7]) for line in table.decode().split()[1:])
+            for table in (solved["workplane.csv"], command.contents("bright")["workplane.csv"])]
+    expect(mean[1] > 1.1 * mean[0], f"brighter walls give {mean[1]} after {mean[0]}")
     expect("--save-solution" in command.run("sense", "eyes", status=1, lines=1), "no remedy")
     expect(command.contents("room-results") == solved, "the solved results have changed")
     command.run("daylight", "room.toml", "--quiet")

@@ -23,7 +23,7 @@ SolutionFile example() {
   file.kind = lighting::Study::Kind::kIlluminance;
   file.set = {"accuracy.target=0.02", "materials.wall.reflectance=[0.1, 0.2,\n 0.3]"};
   lighting::StoredSolution& s = file.solution;
-  s.scene = {0xFEDCBA9876543210ULL, 2, 3};
+  s.scene = {0xFEDCBA9876543210ULL, 2, 3, 4, 5};
   s.accuracy = 0.02;
   s.channels = 3;
   s.roots = 7;
@@ -37,6 +37,14 @@ SolutionFile example() {
   s.energy.emitted_lm = 4000.0;
   s.energy.residual = -1e-6;
   s.links = 51042;
+  s.link_ends = {{5, 0x80000001U, 33}};
+  s.link_values = {{0.25F, 1, 2, 3, 4, 5, 6, 7}};
+  s.closing = {{1, 0, 0}, {1.5F, 0.5F, -0.5F}};
+  s.group_names = {"sky-1", "ground", "row a"};
+  s.group_strengths = {1000.5, 200.25, 1.0};
+  s.group_nodes = {{5, 0}, {6, 2}};
+  s.group_lux = {{10, 1, -1}, {20, 2, -2}};
+  s.given_errors = {{0.5F, 0.25F}};
   return file;
 }
 
@@ -86,6 +94,14 @@ TEST_F(SolutionFiles, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(a.energy.emitted_lm, b.energy.emitted_lm);
   EXPECT_EQ(a.energy.residual, b.energy.residual);
   EXPECT_EQ(a.links, b.links);
+  EXPECT_EQ(a.link_ends, b.link_ends);
+  EXPECT_EQ(a.link_values, b.link_values);
+  EXPECT_EQ(a.closing, b.closing);
+  EXPECT_EQ(a.group_names, b.group_names);
+  EXPECT_EQ(a.group_strengths, b.group_strengths);
+  EXPECT_EQ(a.group_nodes, b.group_nodes);
+  EXPECT_EQ(a.group_lux, b.group_lux);
+  EXPECT_EQ(a.given_errors, b.given_errors);
 }
 
 TEST_F(SolutionFiles, WithoutElementsComeBackToo) {
@@ -121,7 +137,7 @@ TEST_F(SolutionFiles, OfOthersAreRefused) {
   EXPECT_THAT(refusal(file_, std::string(600, 'x')), HasSubstr("no stored solution"));
   write_solution(file_, example());
   std::string older = bytes_of(file_);
-  older[older.find("version 1") + 8] = '0';
+  older[older.find("version 2") + 8] = '0';
   EXPECT_THAT(refusal(file_, older), HasSubstr("another version"));
 }
 

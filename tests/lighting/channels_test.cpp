@@ -18,7 +18,7 @@ TEST(SourceGroups, OneGroupHoldsAllWhereNothingIsToldApart) {
 }
 
 TEST(SourceGroups, LampsOfOneNameShareAGroup) {
-  SourceGroups groups(Columns::kGroups, true, true, 0.0);
+  SourceGroups groups(Columns::kGroups, false, true, true, 0.0);
   EXPECT_EQ(groups.count(), 2U);
   EXPECT_EQ(groups[groups.of_sun()].name, "sun");
   EXPECT_EQ(groups[groups.of_sky({0.0, 0.6, -0.8})].name, "sky");
@@ -30,22 +30,38 @@ TEST(SourceGroups, LampsOfOneNameShareAGroup) {
 }
 
 TEST(SourceGroups, PatchesComeFirstAndTheGroundBehindThem) {
-  const SourceGroups groups(Columns::kSky145, true, false, 0.0);
+  const SourceGroups groups(Columns::kSky145, false, true, false, 0.0);
   EXPECT_EQ(groups.count(), 146U);
   EXPECT_EQ(groups[0].name, "sky-1");
   EXPECT_EQ(groups[145].name, "ground");
   EXPECT_EQ(groups.of_sky({0.0, 0.0, 1.0}), 144U);
   EXPECT_EQ(groups.of_sky({0.0, 0.6, -0.8}), 145U);
-  EXPECT_EQ(SourceGroups(Columns::kSky577, true, false, 0.0).count(), 578U);
+  EXPECT_EQ(SourceGroups(Columns::kSky577, false, true, false, 0.0).count(), 578U);
+}
+
+TEST(SourceGroups, OfKeptSolutionsTheSkyIsInPatchesWhateverColumnsThereAre) {
+  SourceGroups hidden(Columns::kMix, true, true, false, 0.0);
+  EXPECT_TRUE(hidden.parted());
+  EXPECT_FALSE(hidden.has_columns());
+  EXPECT_EQ(hidden.count(), 146U);
+  SourceGroups joined(Columns::kGroups, true, true, false, 0.0);
+  const std::uint32_t lamps = joined.add_lamps("row-a");
+  EXPECT_EQ(joined.count(), 147U);
+  EXPECT_EQ(joined.column_count(), 2U);
+  for (std::uint32_t g = 0; g < 146; ++g) EXPECT_EQ(joined.column_of(g), 0U);
+  EXPECT_EQ(joined.column_of(lamps), 1U);
+  EXPECT_EQ(joined.column_name(0), "sky");
+  EXPECT_EQ(joined.column_name(1), "row-a");
+  EXPECT_THROW(joined.add_lamps("sky"), InputError);
 }
 
 TEST(SourceGroups, LampsCannotBearTheNameOfDaylight) {
-  SourceGroups groups(Columns::kGroups, true, false, 0.0);
+  SourceGroups groups(Columns::kGroups, false, true, false, 0.0);
   EXPECT_THROW(groups.add_lamps("sky"), InputError);
 }
 
 TEST(GroupSums, TellWhatIsLitAndNothingWhereGroupsAreOne) {
-  const SourceGroups groups(Columns::kSky145, true, false, 0.0);
+  const SourceGroups groups(Columns::kSky145, false, true, false, 0.0);
   GroupSums sums(groups);
   sums.add(7, 1.5);
   sums.add(145, 2.0);

@@ -87,15 +87,15 @@ TEST(StoredSolution, OfAnotherStudyIsRefusedWithWhatHasChanged) {
   Study moved = study;
   for (mesh::Point& p : moved.model.vertices) p.x += p.x > 1.9 ? 0.01 : 0.0;
   EXPECT_THAT(refusal(moved, *solved.solution), HasSubstr("the model has changed"));
-  Study darker = study;
-  test::material(darker, "floor").front.reflectance = {0.4F};
-  EXPECT_THAT(refusal(darker, *solved.solution), HasSubstr("materials have changed"));
-  Study brighter = study;
-  brighter.sky.horizontal_illuminance_lux *= 2.0;
-  EXPECT_THAT(refusal(brighter, *solved.solution), HasSubstr("the sky or the lamps have changed"));
-  Study lamp = study;
-  test::shine(test::material(lamp, "lamp"), 999.0);
-  EXPECT_THAT(refusal(lamp, *solved.solution), HasSubstr("the sky or the lamps have changed"));
+  Study clearer = study;
+  test::glaze(test::material(clearer, "ceiling"), 0.8);
+  EXPECT_THAT(refusal(clearer, *solved.solution), HasSubstr("glazing, openings or bands have changed"));
+  Study night = study;
+  night.sky.type = Sky::Type::kNone;
+  EXPECT_THAT(refusal(night, *solved.solution), HasSubstr("other surfaces or lamps shine"));
+  Study table = study;
+  test::shine(test::material(table, "wall"), 9.0);
+  EXPECT_THAT(refusal(table, *solved.solution), HasSubstr("other surfaces or lamps shine"));
 }
 
 TEST(StoredSolution, ThatIsDamagedIsRefused) {
@@ -113,6 +113,9 @@ TEST(StoredSolution, ThatIsDamagedIsRefused) {
         damaged([](StoredSolution& s) { s.open.push_back(s.elements.back()); }),
         damaged([](StoredSolution& s) { s.elements.pop_back(); }),
         damaged([](StoredSolution& s) { s.irradiance.pop_back(); }),
+        damaged([](StoredSolution& s) { s.link_values.pop_back(); }),
+        damaged([](StoredSolution& s) { s.closing.pop_back(); }),
+        damaged([](StoredSolution& s) { s.given_errors.pop_back(); }),
         damaged([](StoredSolution& s) { s.errors[3][2] = std::numeric_limits<float>::infinity(); }),
         damaged([](StoredSolution& s) { s.irradiance[5][1] = std::numeric_limits<float>::quiet_NaN(); })}) {
     EXPECT_THAT(said, HasSubstr("damaged"));

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "lighting/parallel.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+
+namespace {
+
+/// Iterations cost next to nothing beside links: they go on, at any accuracy, until what is missing is this share of all flux.
+constexpr double kConverged = 1e-6;
+/// Where the run must end, until it is this share: it counts as an error, and light has got around all the same.
+constexpr double kNearlyConverged = 1e-3;
+/// No closed scene of reflectance under 0.99 needs as many.
+constexpr std::size_t kMostIterations = 5000;
+
+Solution::Sent sent_by(const Solution& solution, const Clusters& clusters, LinkSource source, std::size_t channel) {
+  if (!source.is_cluster()) return solution.sent(source.element(), channel);
+  return {clusters.radiosity(source.cluster())[channel], {}};
+}
+
+void add(const Solution& solution, const Clusters& clusters, const Link& link, std::span<LinearValue> sums) {
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    const Solution::Sent sent = sent_by(solution, clusters, link.source, c);
+    sums[c].value += link.factor * sent.value + link.moment_u * sent.moments.u + link.moment_v * sent.moments.v;
+    sums[c].slope_u += link.slope_u * sent.value;
+    sums[c].slope_v += link.slope_v * sent.value;
+  }
+}
+
+void gather(Solution& solution, const Clusters& clusters, const Arrivals& arrivals) {
+  parallel_for(
+      arrivals.receivers(),
+      [&](std::size_t i) {
+        const auto sums = solution.gathered(arrivals.receiver(i));
+        std::fill(sums.begin(), sums.end(), LinearValue{});
+        arrivals.visit(i, [&](const Link& link) { add(solution, clusters, link, sums); });
+      },
+      64);
+}
+
+}  // namespace
+
+Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress) {
+  Relaxed result;
+  solution.clear_gathered();
+  double last = 0.0;
+  while (result.iterations < kMostIterations) {
+    clusters.pull(solution);
+    gather(solution, clusters, arrivals);
+    const double change = solution.push_pull();
+    ++result.iterations;
+    // Changes shrink by a factor q a step: what is still to come is the rest of the geometric series.
+    const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
+    result.missing = change * q / (1.0 - q);
+    last = change;
+    if (result.missing <= (progress.should_finish() ? kNearlyConverged : kConverged)) break;
+  }
+  clusters.pull(solution);
+  return result;
+}
+
+double mean_of(const Solution& solution, const Clusters& clusters, LinkSource source) {
+  return source.is_cluster() ? clusters.radiosity_mean(source.cluster()) : solution.radiosity_mean(source.element());
+}
+
+double uneven_light(const Solution& solution, const Clusters& clusters, const Link& link) {
+  if (link.source.is_cluster()) return link.factor * clusters.radiosity_deviation(link.source.cluster());
+  const mesh::ElementTree& tree = solution.tree();
+  const ElementId s = link.source.element();
+  const double distance = std::max(1e-9, norm(tree.centroid(s) - tree.centroid(link.receiver)));
+  return link.factor * solution.radiosity_deviation(s) * std::min(1.0, tree.radius(s) / distance);
+}
+
+void add_link_errors(Solution& solution, const Clusters& clusters, const Arrivals& arrivals) {
+  for (std::size_t i = 0; i < arrivals.receivers(); ++i) {
+    arrivals.visit(i, [&](const Link& link) {
+      const double mean = mean_of(solution, clusters, link.source);
+      const double noise = link.noise * mean;
+      const double misfit = (link.error - link.noise) * mean;
+      // Clusters' places were weighed by how bright they are.
+      const double uneven = link.source.is_cluster() ? 0.0 : uneven_light(solution, clusters, link);
+      solution.add_error(link.receiver, noise * noise + uneven * uneven, misfit * misfit);
+    });
+  }
+}
+
+}  // namespace clerestory::lighting

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "lighting/arrivals.h"
+#include "lighting/clusters.h"
+#include "lighting/links.h"
+#include "lighting/solution.h"
+#include "mesh/progress.h"
+
+namespace clerestory::lighting {
+
+/// What relax() says of itself.
+struct Relaxed {
+  std::size_t iterations = 0;
+  double missing = 0.0;  ///< share of the reflected flux that iterations not made would still change
+};
+
+/// Gathers over links, with push and pull, until what is missing is far below any accuracy; less far where the progress says that it
+/// should finish. Casts no rays.
+Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress);
+
+/// Mean radiosity of a source [lm/m²].
+double mean_of(const Solution& solution, const Clusters& clusters, LinkSource source);
+
+/// What a receiver may get more or less because parts of the source differ from its line, as far as they are seen under different
+/// factors [lux].
+double uneven_light(const Solution& solution, const Clusters& clusters, const Link& link);
+
+/// Adds the links' errors at their receivers to those of the solution, as the radiosities stand. Errors of different links are
+/// independent.
+void add_link_errors(Solution& solution, const Clusters& clusters, const Arrivals& arrivals);
+
+}  // namespace clerestory::lighting
