@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "lighting/parallel.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Iterations cost next to nothing beside links: they go on, at any accuracy, until what is missing is this share of all flux.
 constexpr double kConverged = 1e-6;
+/// The same of the elements' light.
+constexpr double kElementsConverged = 1e-5;
 /// Where the run must end, until it is this share: it counts as an error, and light has got around all the same.
 constexpr double kNearlyConverged = 1e-3;
 /// No closed scene of reflectance under 0.99 needs as many.
@@ -45,22 +48,46 @@ void gather(Solution& solution, const Clusters& clusters, const Arrivals& arriva
       64);
 }
 
+/// How far elements' radiosities have changed since the last call, as shares of them, on the mean.
+class ElementChanges {
+ public:
+  double since_last(const Solution& solution) {
+    const std::vector<ElementId> elements = solution.elements();
+    last_.resize(elements.size(), 0.0F);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const float now = solution.radiosity_mean(elements[i]);
+      if (now > 0.0F) sum += std::min(1.0, std::abs(double{now} - last_[i]) / now);
+      last_[i] = now;
+    }
+    return elements.empty() ? 0.0 : sum / static_cast<double>(elements.size());
+  }
+
+ private:
+  std::vector<float> last_;
+};
+
 }  // namespace
 
-Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress) {
+Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress,
+              Change measure) {
+  const bool by_elements = measure == Change::kOfElements;
+  const double converged = by_elements ? kElementsConverged : kConverged;
+  ElementChanges changes;
   Relaxed result;
   solution.clear_gathered();
   double last = 0.0;
   while (result.iterations < kMostIterations) {
     clusters.pull(solution);
     gather(solution, clusters, arrivals);
-    const double change = solution.push_pull();
+    double change = solution.push_pull();
+    if (by_elements) change = changes.since_last(solution);
     ++result.iterations;
     // Changes shrink by a factor q a step: what is still to come is the rest of the geometric series.
     const double q = last > 0.0 ? std::min(0.999, change / last) : 0.5;
     result.missing = change * q / (1.0 - q);
     last = change;
-    if (result.missing <= (progress.should_finish() ? kNearlyConverged : kConverged)) break;
+    if (result.missing <= (progress.should_finish() ? kNearlyConverged : converged)) break;
   }
   clusters.pull(solution);
   return result;

@@ -17,9 +17,14 @@ struct Relaxed {
   double missing = 0.0;  ///< share of the reflected flux that iterations not made would still change
 };
 
+/// In terms of what changes count: of all flux, which mostly may be outdoors, or of the light of each element, on the mean over the
+/// elements. From a solution close by the former will do; light that starts from nothing has not come deep into a building by then.
+enum class Change { kOfFlux, kOfElements };
+
 /// Gathers over links, with push and pull, until what is missing is far below any accuracy; less far where the progress says that it
 /// should finish. Casts no rays.
-Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress);
+Relaxed relax(Solution& solution, Clusters& clusters, const Arrivals& arrivals, const Progress& progress,
+              Change measure = Change::kOfFlux);
 
 /// Mean radiosity of a source [lm/m²].
 double mean_of(const Solution& solution, const Clusters& clusters, LinkSource source);

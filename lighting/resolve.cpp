@@ -115,7 +115,7 @@ Transport resolve(const StoredSolution& stored, Solution& solution, const Progre
     solution.close(ElementId(stored.elements[i]), line_of(stored.closing[i]));
   const Arrivals arrivals(transport.links, solution.tree());
   solution.push_pull();
-  const Relaxed relaxed = relax(solution, transport.clusters, arrivals, progress);
+  const Relaxed relaxed = relax(solution, transport.clusters, arrivals, progress, Change::kOfElements);
   transport.iterations = relaxed.iterations;
   transport.convergence = relaxed.missing;
   transport.given_errors = given_errors(stored, solution);
