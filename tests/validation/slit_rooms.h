@@ -18,7 +18,7 @@ mesh::Point turned(const mesh::Point& p, const mesh::Vector& axis, double angle_
 lighting::Study rooms_with_short_wall(const support::ThinWall& wall);
 
 inline constexpr double kSlit_m = 0.05;
-/// The sensors' illuminance where a wall without thickness ends so far above the floor, by 3 000 000 paths each of the plain tracer of these tests:
+/// The sensors' illuminance where a wall without thickness ends so far above the floor, by 6 000 000 paths each of the plain tracer of these tests:
 /// what benchmarks/slit_reference prints.
 extern const std::array<Traced, 18> kSlitReference;
 
