@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kRays = 64;
 constexpr std::uint32_t kMoreRays = 256;
 /// Sides that bound a space of which other sides are reached lie behind a slit, perhaps: they are asked on, up to so many rays a side, and
-/// rays of them all.
+/// rays of them all: where there are many of these sides, each sends fewer.
 constexpr std::uint32_t kMostRays = 4096;
 constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 19U;
 /// So many exchanged rays make a side reached: 3 % of kRays, and never one alone.
@@ -105,14 +105,18 @@ class Search {
   void search_behind_slits(const std::vector<Node>& nodes) {
     const std::vector<Node> shells = side_shells(faces_, regions_);
     std::size_t left = kMostRaysOfAll;
-    for (std::uint32_t sent = kMoreRays; sent < kMostRays; sent *= 2) {
+    for (std::uint32_t sent = kRays + kMoreRays; sent < kMostRays;) {
       const std::vector<Node> open = beside_reached(nodes, shells);
-      if (open.empty() || open.size() * sent > left) return;
-      left -= open.size() * sent;
+      if (open.empty()) return;
+      const auto more =
+          static_cast<std::uint32_t>(std::min<std::size_t>(std::min(sent, kMostRays - sent), left / open.size()));
+      if (more == 0) return;
+      left -= open.size() * more;
       NoProgress untold;
       PhasePart few(untold, 0.0, 1.0);
-      cast(open, sent, 2 * sent, few);
+      cast(open, sent, more, few);
       settle();
+      sent += more;
     }
   }
   [[nodiscard]] std::vector<Node> beside_reached(const std::vector<Node>& nodes,
