@@ -115,10 +115,10 @@ std::string weather_text(const Weather& weather, const std::string& file) {
       file, weather.place, weather.site.latitude_deg, weather.site.longitude_deg, weather.site.timezone_h,
       weather.elevation_m, weather.records.size(), weather.interval_h, years_of(weather), year.missing);
   const auto row = [&](const char* name, const WeatherSums& s) {
-    text += fmt::format("{:<6}{:>14.0f}{:>14.0f}{:>14.1f}{:>14.1f}{:>12.0f}{:>12.0f}\n", name, s.global_klxh,
+    text += fmt::format("{:<6}{:>15.0f}{:>15.0f}{:>15.1f}{:>16.1f}{:>12.0f}{:>12.0f}\n", name, s.global_klxh,
                         s.diffuse_klxh, s.direct_normal_kwh_m2, s.diffuse_horizontal_kwh_m2, s.sunshine_h, s.sun_up_h);
   };
-  text += fmt::format("{:<6}{:>14}{:>14}{:>14}{:>14}{:>12}{:>12}\n", "", "global klx h", "diffuse klx h",
+  text += fmt::format("{:<6}{:>15}{:>15}{:>15}{:>16}{:>12}{:>12}\n", "", "global klx h", "diffuse klx h",
                       "direct kWh/m2", "diffuse kWh/m2", "sunshine h", "sun up h");
   for (int month = 1; month <= 12; ++month)
     row(kMonths.at(static_cast<std::size_t>(month - 1)), sums_of_month(weather, month));

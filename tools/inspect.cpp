@@ -5,10 +5,12 @@
 
 #include "clerestory_version.h"
 #include "io/defect_advice.h"
+#include "io/epw.h"
 #include "io/model_report.h"
 #include "io/study_file.h"
 #include "lighting/run.h"
 #include "tools/exit_status.h"
+#include "tools/inspect_weather.h"
 #include "tools/standard_output.h"
 #include "tools/terminal_progress.h"
 #include "tools/with_file.h"
@@ -16,6 +18,8 @@
 namespace clerestory::tools {
 
 int inspect(const Options& options) {
+  if (io::is_weather_file(options.study)) return inspect_weather(options);
+  if (!options.out.empty()) throw CommandLineError("--out of inspect is for pictures of weather files; leave it out");
   lighting::set_threads(options.threads);
   const io::StudyInput input = io::read_study(options.study, {.set = options.set, .model_only = true});
   TerminalProgress progress(!options.quiet && stderr_is_terminal());

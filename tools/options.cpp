@@ -38,6 +38,7 @@ constexpr const char* kInspectFooter = R"(Examples:
   clerestory inspect office.obj --units mm --up y     where the file does not say it and the guess is wrong
   clerestory inspect office.obj --strict --quiet      for a script: status 1 where something cannot be mended
   clerestory inspect office.obj --json                the report for a program
+  clerestory inspect turin.epw -o turin.png           a weather file: its sums by month, a picture of its year
 )";
 
 constexpr const char* kCleanFooter = R"(Examples:
@@ -195,6 +196,8 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
   switch (command.what) {
     case Request::What::kInspect:
       add_model_options(own, raw);
+      own.add_option("-o,--out", raw.out, "Of a weather file (.epw, .wea): the picture of its year, a PNG")
+          ->type_name("FILE");
       own.add_flag("--strict", raw.strict, "Status 1 where something cannot be mended");
       break;
     case Request::What::kClean:
@@ -287,6 +290,7 @@ std::filesystem::path default_out(const Command& command, const std::filesystem:
     if (results.filename().empty()) results = results.parent_path();
     return results.parent_path() / (results.filename().string() + "-sense");
   }
+  if (command.what == Request::What::kInspect) return {};
   const char* const ending = command.what == Request::What::kMesh ? "-mesh" : "-results";
   return study.parent_path() / (study.stem().string() + ending);
 }
