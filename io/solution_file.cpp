@@ -122,6 +122,7 @@ class Writer {
     const Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     expect(H5Pset_chunk(creation, 2, chunk.data()));
+    expect(H5Pset_obj_track_times(creation, false));  // the same solution makes the same bytes, whenever
     expect(H5Pset_shuffle(creation));
     expect(H5Pset_deflate(creation, kDeflate));
     const Handle set(H5Dcreate2(file_, name, TypeOf<Value>::stored(), space, H5P_DEFAULT, creation, H5P_DEFAULT),
