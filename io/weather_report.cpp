@@ -48,8 +48,15 @@ constexpr Rgb kWhite{255, 255, 255};
 constexpr Rgb kInk{40, 40, 40};
 constexpr Rgb kNight{225, 225, 230};
 
-/// The number of a day in a year in which every February has 29 days.
-int day_number(int month, int day) { return lighting::day_of_year({2000, month, day, 12.0}) - 1; }
+/// A year with as many days as the records have.
+int calendar_of(const Weather& weather) {
+  const bool leap = std::any_of(weather.records.begin(), weather.records.end(),
+                                [](const WeatherRecord& r) { return r.month == 2 && r.day == 29; });
+  return leap ? 2000 : 2001;
+}
+
+/// From 0.
+int day_number(int year, int month, int day) { return lighting::day_of_year({year, month, day, 12.0}) - 1; }
 
 struct Cell {
   int day;
@@ -60,8 +67,9 @@ struct Cell {
 
 std::vector<Cell> cells_of(const Weather& weather) {
   std::vector<Cell> cells;
+  const int year = calendar_of(weather);
   for (const WeatherRecord& r : weather.records) {
-    cells.push_back({day_number(r.month, r.day), r.middle_h - 0.5 * weather.interval_h,
+    cells.push_back({day_number(year, r.month, r.day), r.middle_h - 0.5 * weather.interval_h,
                      r.middle_h + 0.5 * weather.interval_h,
                      static_cast<float>(lighting::outdoor_light(weather, r).global_lux),
                      r.direct_normal_w_m2.has_value() && r.diffuse_horizontal_w_m2.has_value()});
@@ -78,14 +86,14 @@ void draw_cells(Raster& picture, const std::vector<Cell>& cells, const MapScale&
   }
 }
 
-void draw_axes(Raster& picture) {
+void draw_axes(Raster& picture, int year) {
   for (int hour = 0; hour <= 24; hour += 3) {
     const double y = kTop + kHourHeight * (24.0 - hour);
     draw_text(picture, fmt::format("{}:00", hour), {13}, {kLeft - 6.0, y}, {Align::kEnd, Align::kMiddle}, kInk);
     picture.fill({kLeft - 4.0, y, 4.0, 1.0}, kInk);
   }
   for (int month = 1; month <= 12; ++month) {
-    const double x = kLeft + kDayWidth * day_number(month, 1);
+    const double x = kLeft + kDayWidth * day_number(year, month, 1);
     picture.fill({x, kTop + 24.0 * kHourHeight, 1.0, 6.0}, kInk);
     draw_text(picture, kMonths.at(static_cast<std::size_t>(month - 1)), {13},
               {x + 15.0 * kDayWidth, kTop + 24.0 * kHourHeight + 8.0}, {Align::kMiddle, Align::kStart}, kInk);
@@ -155,7 +163,7 @@ Raster weather_picture(const Weather& weather) {
   for (const Cell& c : cells) lux.push_back(c.lux);
   const MapScale scale = choose_scale(lux, MapQuantity::kIlluminance);
   draw_cells(picture, cells, scale);
-  draw_axes(picture);
+  draw_axes(picture, calendar_of(weather));
   draw_legend(picture, scale);
   draw_text(picture, "Global horizontal illuminance, " + weather.place, {17, true}, {kLeft, 14.0},
             {Align::kStart, Align::kStart}, kInk);

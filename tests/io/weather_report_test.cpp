@@ -40,7 +40,7 @@ TEST(WeatherReport, TellsPlaceRecordsAndSums) {
 
 TEST(WeatherReport, ThePictureHasAColumnADayAndNoonInTheMiddle) {
   const Raster picture = weather_picture(bright_noon());
-  const int x = 60 + 3 * 172 + 1;  // the 21st of June is day 172 of a leap year, from 0
+  const int x = 60 + 3 * 171 + 1;  // the 21st of June is day 171, from 0
   const auto colour_at = [&](double hour) { return picture.at(x, static_cast<int>(60 + 16 * (24.0 - hour))); };
   EXPECT_EQ(colour_at(3.5), (Rgb{225, 225, 230}));
   EXPECT_FALSE(colour_at(12.5) == (Rgb{225, 225, 230}));
