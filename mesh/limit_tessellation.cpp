@@ -281,7 +281,10 @@ void Tessellator::align() {
       least[patch.sides[k].curve] = std::min(least[patch.sides[k].curve], wanted);
     }
   }
-  for (std::size_t c = 0; c < curves_.size(); ++c) curves_[c].pieces = std::max(curves_[c].pieces, least[c]);
+  for (std::size_t c = 0; c < curves_.size(); ++c) {
+    const int wanted = curves_[c].halved ? 2 * ((least[c] + 1) / 2) : least[c];
+    curves_[c].pieces = std::max(curves_[c].pieces, wanted);
+  }
 }
 
 // --- points and triangles
