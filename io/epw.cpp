@@ -23,7 +23,7 @@ using lighting::WeatherRecord;
 
 constexpr std::size_t kHeaderLines = 8;
 constexpr std::size_t kLeastFields = 16;  ///< up to the diffuse irradiance; what follows is not used
-constexpr std::size_t kMostRecords = 366 * 24 * 60;
+constexpr std::size_t kMostRecords = 366UL * 24 * 60;
 constexpr double kMostIrradiance = 2000.0;  ///< [W/m²]
 constexpr int kFirstYear = 1850;
 constexpr int kLastYear = 2200;

@@ -131,6 +131,10 @@ std::string weather_text(const Weather& weather, const std::string& file) {
   for (int month = 1; month <= 12; ++month)
     row(kMonths.at(static_cast<std::size_t>(month - 1)), sums_of_month(weather, month));
   row("all", year);
+  if (year.dark_h > 0.0)
+    text += fmt::format(
+        "\nnote: {:g} h have no irradiance although the sun stands over 5 degrees; the data may have holes there\n",
+        year.dark_h);
   return text;
 }
 
@@ -152,7 +156,8 @@ std::string weather_json(const Weather& weather, const std::string& file, const 
                                     {"direct_normal_kwh_m2", s.direct_normal_kwh_m2},
                                     {"diffuse_horizontal_kwh_m2", s.diffuse_horizontal_kwh_m2},
                                     {"sunshine_h", s.sunshine_h},
-                                    {"sun_up_h", s.sun_up_h}};
+                                    {"sun_up_h", s.sun_up_h},
+                                    {"dark_h", s.dark_h}};
   return json.dump(2) + "\n";
 }
 

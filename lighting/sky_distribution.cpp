@@ -102,18 +102,18 @@ double relative_luminance_bound(const SkyDistribution& sky) {
 double relative_horizontal_illuminance(const SkyDistribution& sky) {
   // The indicatrix has a tip at the sun: points draw together there (t² in both angles), in altitude from both sides.
   constexpr int kNodes = 64;
-  static const std::vector<Node> nodes = gauss_nodes(kNodes);
+  static const std::vector<Node> kGauss = gauss_nodes(kNodes);
   const double sun = std::clamp(std::asin(std::clamp(sky.towards_sun.z, -1.0, 1.0)), 0.0, 0.5 * kPi);
   const double sun_cosine = std::hypot(sky.towards_sun.x, sky.towards_sun.y);
   double sum = 0.0;
   for (const double end : {0.0, 0.5 * kPi}) {
     const double range = end - sun;
-    for (const Node& up : nodes) {
+    for (const Node& up : kGauss) {
       const double altitude = sun + range * up.at * up.at;
       const double sine = std::sin(altitude);
       const double cosine = std::cos(altitude);
       double ring = 0.0;
-      for (const Node& round : nodes) {
+      for (const Node& round : kGauss) {
         const double azimuth = kPi * round.at * round.at;
         const double from_sun = sine * sky.towards_sun.z + cosine * sun_cosine * std::cos(azimuth);
         ring += round.weight * 2.0 * kPi * round.at * std::max(0.0, indicatrix(sky, from_sun));

@@ -10,6 +10,7 @@ namespace clerestory::lighting {
 namespace {
 
 constexpr double kSunshine = 120.0;  ///< [W/m²]
+constexpr double kHighSun = 5.0;     ///< higher, no sky is dark [degrees]
 
 /// Hours since the begin of a year in which every February has 29 days, so that records and moments of any year compare.
 double hour_of_year(int month, int day, double hour) {
@@ -100,7 +101,10 @@ WeatherSums sums_of(const Weather& weather) {
     sums.direct_normal_kwh_m2 += 1e-3 * hours * irradiance.direct_normal_w_m2;
     sums.diffuse_horizontal_kwh_m2 += 1e-3 * hours * irradiance.diffuse_horizontal_w_m2;
     if (irradiance.direct_normal_w_m2 >= kSunshine) sums.sunshine_h += hours;
-    if (sun_of(weather, record).altitude_deg > 0.0) sums.sun_up_h += hours;
+    const double altitude = sun_of(weather, record).altitude_deg;
+    if (altitude > 0.0) sums.sun_up_h += hours;
+    const bool dark = irradiance.direct_normal_w_m2 <= 0.0 && irradiance.diffuse_horizontal_w_m2 <= 0.0;
+    if (dark && altitude > kHighSun && has_irradiance(record)) sums.dark_h += hours;
   }
   return sums;
 }

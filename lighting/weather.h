@@ -60,6 +60,7 @@ struct WeatherSums {
   double diffuse_horizontal_kwh_m2 = 0.0;
   double sunshine_h = 0.0;  ///< with a beam of at least 120 W/m² [WMO 2018]
   double sun_up_h = 0.0;
+  double dark_h = 0.0;      ///< with the sun over 5° and no irradiance at all: likely holes in the data
   std::size_t missing = 0;  ///< records without irradiances
 };
 WeatherSums sums_of(const Weather& weather);

@@ -52,6 +52,11 @@ TEST(Weather, SumsCountEveryRecordByItsInterval) {
   EXPECT_DOUBLE_EQ(sums.sun_up_h, 32.0);
   EXPECT_GT(sums.global_klxh, sums.diffuse_klxh);
   EXPECT_EQ(sums.missing, 0U);
+  EXPECT_EQ(sums.dark_h, 0.0);
+  Weather hole = weather;
+  hole.records[12].direct_normal_w_m2 = 0.0;
+  hole.records[12].diffuse_horizontal_w_m2 = 0.0;
+  EXPECT_EQ(sums_of(hole).dark_h, 1.0);
 }
 
 TEST(Weather, ALeapDayThatTheYearLacksIsTheDayBefore) {
