@@ -72,8 +72,8 @@ ModelFile read_model(const std::filesystem::path& path, const ModelFormat& forma
   const Reader* reader = reader_by_content(read_head(path, 4096));
   if (reader == nullptr) reader = reader_by_extension(path);
   if (reader == nullptr && is_photometry_or_weather(path))
-    throw InputError(path.string(), 0, "photometric and weather files are not read by this version",
-                     "give a model or a study");
+    throw InputError(path.string(), 0, "a photometric or weather file is no model",
+                     "name a model, and this file in a study; clerestory inspect tells what is in a photometric one");
   if (reader == nullptr)
     throw InputError(path.string(), 0, fmt::format("{} is no model", in_quotes(path.filename().string())),
                      fmt::format("export it as one of {}", fmt::join(model_format_words(), ", ")));

@@ -200,6 +200,10 @@ class Checker {
       if (parent_of(key.path) == pattern) siblings.emplace_back(name_of(key.path));
       if (name_of(key.path) == member.key) elsewhere.emplace_back(parent_of(key.path));
     }
+    // Of several tables that know the key the least nested is meant.
+    std::stable_sort(elsewhere.begin(), elsewhere.end(), [](const std::string& a, const std::string& b) {
+      return std::count(a.begin(), a.end(), '.') < std::count(b.begin(), b.end(), '.');
+    });
     std::string hint = "docs/study-file.md lists all keys";
     if (const auto meant = nearest(member.key, siblings)) {
       hint = fmt::format("did you mean '{}'?", *meant);

@@ -85,6 +85,7 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   read_materials_table(root, model, study);
   if (!options.model_only) {
     read_sky_table(root, place, study);
+    read_luminaires_table(root, place, study);
     read_grids_table(root, place, study);
     read_results_table(root, study);
     read_mesh_table(root, study);

@@ -17,9 +17,8 @@ lighting::Columns columns_of(const std::string& word) {
 }
 
 /// Groups name columns of tables.
-void check_group(const StudyValue& material_side) {
-  const StudyValue* emission = find_table(material_side, "emission");
-  const StudyValue* group = emission != nullptr ? emission->find("group") : nullptr;
+void check_group(const StudyValue* table) {
+  const StudyValue* group = table != nullptr ? table->find("group") : nullptr;
   if (group == nullptr) return;
   const std::string& name = group->text;
   const bool fits = !name.empty() && trim(name) == name && name.find_first_of(",;\"") == std::string::npos &&
@@ -38,9 +37,12 @@ void read_results_table(const StudyValue& root, lighting::Study& study) {
   study.columns = columns_of(text_or(*root.find("results"), "columns", "mix"));
   if (const StudyValue* materials = find_table(root, "materials")) {
     for (const StudyValue& entry : materials->children) {
-      check_group(entry);
-      if (const StudyValue* back = find_table(entry, "back")) check_group(*back);
+      check_group(find_table(entry, "emission"));
+      if (const StudyValue* back = find_table(entry, "back")) check_group(find_table(*back, "emission"));
     }
+  }
+  if (const StudyValue* luminaires = root.find("luminaires")) {
+    for (const StudyValue& table : luminaires->children) check_group(&table);
   }
   // The daylight factor leaves all lamps dark.
   if (study.kind == lighting::Study::Kind::kDaylight) return;

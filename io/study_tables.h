@@ -55,6 +55,10 @@ std::optional<StudySun> read_study_sun(const StudyValue& root, StudyPlace& place
 /// Throws InputError for keys that contradict each other, and for a sky without what it needs.
 void read_sky_table(StudyValue& root, StudyPlace& place, lighting::Study& study);
 
+/// [[luminaires]], each with its photometry; tables of several luminaires and arrays become one entry a luminaire. None for the daylight factor.
+/// Throws InputError for photometric files at fault, and for places, directions and arrays that are none.
+void read_luminaires_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
 /// [[grids]]. Throws InputError for names that are no file names or not unique, surfaces that the model does not have,
 /// and sensor files at fault.
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);

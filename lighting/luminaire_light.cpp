@@ -2,10 +2,11 @@
 #include "lighting/luminaire_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "lighting/light_paths.h"
+#include "lighting/luminaire_mounting.h"
 
 namespace clerestory::lighting {
 
@@ -27,11 +28,6 @@ float glazing_share(const Scene& scene, const mesh::Hit& hit, const Vector& dire
                                 static_cast<float>(incidence(scene, hit, direction)));
 }
 
-/// How far from a luminous opening nothing stands in its way [m] (science.md §8: the housing, and the edge of its cut-out).
-constexpr double kHousing = 0.05;
-/// A ceiling that a luminaire is flush with may slope by so much against it: the cosine of 2.6°.
-constexpr double kParallel = 0.999;
-
 /// A luminaire that does not black itself out.
 struct Lit {
   const Scene& scene;
@@ -43,8 +39,8 @@ struct Lit {
     if (std::find(flush.begin(), flush.end(), hit.face) != flush.end()) return dot(from - at, luminaire.axes.w) < 0.0;
     const Vector own = luminaire.to_own(at - luminaire.at);
     const LuminousOpening& o = luminaire.opening;
-    return std::abs(own.x) <= 0.5 * o.x_m + kHousing && std::abs(own.y) <= 0.5 * o.y_m + kHousing &&
-           std::abs(own.z) <= 0.5 * o.z_m + kHousing;
+    return std::abs(own.x) <= 0.5 * o.x_m + kHousingM && std::abs(own.y) <= 0.5 * o.y_m + kHousingM &&
+           std::abs(own.z) <= 0.5 * o.z_m + kHousingM;
   }
 };
 
@@ -138,9 +134,6 @@ void add(const AreaMean& light, AreaMean& sum) {
   sum.error = std::hypot(sum.error, light.error);
 }
 
-/// Half of the height of a luminaire's box, enlarged.
-double half_box(const Luminaire& luminaire) { return 0.5 * luminaire.opening.z_m + kHousing; }
-
 }  // namespace
 
 AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vector& normal) {
@@ -155,41 +148,20 @@ AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector
 AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double share,
                                GroupSums& groups) {
   AreaMean sum;
-  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
-    const double before = sum.value;
-    const Lit lit{scene, scene.luminaires[k], scene.flush_faces[k]};
-    add(straight(lit, at, normal), sum);
-    for (std::size_t f = 0; f < scene.faces.count(); ++f) {
-      if (scene.glazing_of[f] >= 0) add(mirrored(lit, mesh::FaceId(f), at, normal), sum);
-    }
-    groups.add(scene.luminaire_group[k], share * (sum.value - before));
+  std::vector<Lit> all;
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k)
+    all.push_back({scene, scene.luminaires[k], scene.flush_faces[k]});
+  if (all.empty()) return sum;
+  const auto add_to_group = [&](std::size_t k, const AreaMean& light) {
+    add(light, sum);
+    groups.add(scene.luminaire_group[k], share * light.value);
+  };
+  for (std::size_t k = 0; k < all.size(); ++k) add_to_group(k, straight(all[k], at, normal));
+  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
+    if (scene.glazing_of[f] < 0) continue;
+    for (std::size_t k = 0; k < all.size(); ++k) add_to_group(k, mirrored(all[k], mesh::FaceId(f), at, normal));
   }
   return sum;
-}
-
-std::vector<mesh::FaceId> flush_faces(const Scene& scene, const Luminaire& luminaire) {
-  std::vector<mesh::FaceId> found;
-  const Vector& w = luminaire.axes.w;
-  const double reach = 2.0 * half_box(luminaire);
-  for (const auto& [x, y] : {std::array{0.0, 0.0}, {-0.49, -0.49}, {-0.49, 0.49}, {0.49, -0.49}, {0.49, 0.49}}) {
-    const Vector own{x * luminaire.opening.x_m, y * luminaire.opening.y_m, -half_box(luminaire)};
-    const Point start = luminaire.place(own);
-    for (double done = 0.0; done < reach;) {
-      const mesh::Hit hit = scene.rays->first_hit({start + done * w, w});
-      if (!hit.face.valid() || done + hit.distance > reach) break;
-      const bool across = std::abs(dot(scene.faces.faces[hit.face.index()].frame.w, w)) > kParallel;
-      if (across && scene.passable[hit.face.index()] == 0) found.push_back(hit.face);
-      done += hit.distance + scene.rays->offset_m();
-    }
-  }
-  std::sort(found.begin(), found.end(), [](mesh::FaceId a, mesh::FaceId b) { return a.index() < b.index(); });
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
-
-Point light_start(const Luminaire& luminaire, const std::vector<mesh::FaceId>& flush) {
-  const bool free = flush.empty() && luminaire.opening.shape == LuminousOpening::Shape::kPoint;
-  return free ? luminaire.at : luminaire.at - (half_box(luminaire) + 1e-3) * luminaire.axes.w;
 }
 
 }  // namespace clerestory::lighting

@@ -27,7 +27,7 @@ struct LampSet {
   double flux_lm = 0.0;  ///< of all lamps of the set; 0: not stated
   std::string colour;
   std::string rendering;
-  double power_W = 0.0;
+  double power_w = 0.0;
 };
 
 /// What a photometric file says of a luminaire, in SI units, with all its factors applied.
@@ -57,7 +57,7 @@ struct Photometry {
   bool absolute = false;                 ///< the intensities are the luminaire's own, not by the lamp's nominal flux
   std::optional<double> stated_flux_lm;  ///< of the luminaire, as the file has it
   std::optional<double> light_output_ratio;  ///< as the file has it; of relative photometry
-  double power_W = 0.0;                      ///< 0: not stated
+  double power_w = 0.0;                      ///< 0: not stated
   std::optional<TiltTable> tilt;
   std::vector<std::string> notes;  ///< one sentence each
 };

@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-#include "lighting/luminaire_light.h"
+#include "lighting/luminaire_mounting.h"
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
@@ -286,6 +286,19 @@ void fill_exitances(const Study& study, Scene& scene) {
   }
 }
 
+/// Throws InputError for a luminaire within a wall.
+void mount_luminaires(const Study& study, Scene& scene) {
+  for (const Luminaire& luminaire : scene.luminaires) {
+    scene.flush_faces.push_back(flush_faces(scene, luminaire));
+    if (!is_walled_in(scene, luminaire, scene.flush_faces.back())) continue;
+    const mesh::Point at = luminaire.at + scene.faces.origin;
+    throw InputError(study.name, 0,
+                     fmt::format("the luminaire {} at ({:.3f}, {:.3f}, {:.3f}) stands inside a solid", luminaire.name,
+                                 at.x, at.y, at.z),
+                     "move it into the room; `at` is the centre of its luminous opening, in metres");
+  }
+}
+
 void find_reachable(Scene& scene, Progress& progress) {
   std::vector<std::uint8_t> seeds(2 * scene.faces.count(), 0);
   for (std::size_t s = 0; s < seeds.size(); ++s) seeds[s] = scene.shines(mesh::face_side(s)) ? 1 : 0;
@@ -350,7 +363,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   find_passable(study, scene);
   scene.rays = std::make_unique<mesh::Rays>(scene.faces, scene.passable);
   scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
-  for (const Luminaire& luminaire : scene.luminaires) scene.flush_faces.push_back(flush_faces(scene, luminaire));
+  mount_luminaires(study, scene);
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);
   find_groups(study, scene);

@@ -7,7 +7,11 @@
 #include "io/defect_advice.h"
 #include "io/epw.h"
 #include "io/model_report.h"
+#include "io/photometry_file.h"
+#include "io/photometry_report.h"
+#include "io/polar_diagram.h"
 #include "io/study_file.h"
+#include "io/whole_file.h"
 #include "lighting/run.h"
 #include "tools/exit_status.h"
 #include "tools/inspect_weather.h"
@@ -17,9 +21,29 @@
 
 namespace clerestory::tools {
 
+namespace {
+
+int inspect_photometry(const Options& options) {
+  const lighting::Photometry photometry = io::read_photometry(options.study);
+  if (!options.out.empty()) {
+    const std::string title = photometry.name.empty() ? options.study.filename().string() : photometry.name;
+    io::write_whole_file(options.out, io::polar_diagram(lighting::web_of(photometry), title).png());
+  }
+  if (options.json) {
+    print(io::photometry_json(photometry, options.study.string(), kVersion));
+  } else if (!options.quiet) {
+    print(io::photometry_text(photometry, options.study.string()));
+  }
+  return kDone;
+}
+
+}  // namespace
+
 int inspect(const Options& options) {
   if (io::is_weather_file(options.study)) return inspect_weather(options);
-  if (!options.out.empty()) throw CommandLineError("--out of inspect is for pictures of weather files; leave it out");
+  if (io::is_photometry_file(options.study)) return inspect_photometry(options);
+  if (!options.out.empty())
+    throw CommandLineError("--out of inspect is for pictures of weather and photometric files; leave it out");
   lighting::set_threads(options.threads);
   const io::StudyInput input = io::read_study(options.study, {.set = options.set, .model_only = true});
   TerminalProgress progress(!options.quiet && stderr_is_terminal());

@@ -5,7 +5,7 @@
 
 namespace clerestory::tools {
 
-/// `clerestory inspect`: what is in a model, as text or JSON on stdout. Returns the exit status: kInputAtFault where it is to be strict
+/// `clerestory inspect`: what is in a model or photometric file, as text or JSON on stdout. Returns the exit status: kInputAtFault where it is to be strict
 /// and something cannot be mended. Throws InputError, MachineError, Interrupted, and what the standard library throws.
 int inspect(const Options& options);
 

@@ -39,6 +39,7 @@ constexpr const char* kInspectFooter = R"(Examples:
   clerestory inspect office.obj --strict --quiet      for a script: status 1 where something cannot be mended
   clerestory inspect office.obj --json                the report for a program
   clerestory inspect turin.epw -o turin.png           a weather file: its sums by month, a picture of its year
+  clerestory inspect panel.ldt -o panel.png           a photometric file: fluxes, UGR table, polar diagram
 )";
 
 constexpr const char* kCleanFooter = R"(Examples:
@@ -90,7 +91,7 @@ struct Command {
 };
 
 constexpr std::array kCommands{
-    Command{Request::What::kInspect, "inspect", "What is in a model: parts, materials, rooms, defects", kInspectFooter,
+    Command{Request::What::kInspect, "inspect", "What is in a model, weather or photometric file", kInspectFooter,
             "inspect office.obj"},
     Command{Request::What::kClean, "clean", "Writes the mended model", kCleanFooter, "clean office.ifc -o clean.obj"},
     Command{Request::What::kMesh, "mesh", "The elements and shadow lines of a study, for ParaView", kMeshFooter,
@@ -196,7 +197,10 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
   switch (command.what) {
     case Request::What::kInspect:
       add_model_options(own, raw);
-      own.add_option("-o,--out", raw.out, "Of a weather file (.epw, .wea): the picture of its year, a PNG")
+      own.add_option(
+             "-o,--out", raw.out,
+             "Of a weather file (.epw, .wea) the picture of its year, of a photometric one (.ies, .ldt) its polar "
+             "diagram: a PNG")
           ->type_name("FILE");
       own.add_flag("--strict", raw.strict, "Status 1 where something cannot be mended");
       break;

@@ -20,7 +20,7 @@ class CommandLineError : public std::runtime_error {
 /// What the subcommands are asked for.
 struct Options {
   std::filesystem::path study;  ///< or a model; of sense, the folder of results
-  std::filesystem::path out;    ///< the folder of the results; of clean, the model to write
+  std::filesystem::path out;    ///< the folder of the results; of clean, the model to write; of inspect, the diagram
   std::vector<std::string>
       set;          ///< "key=value", in the order given; last what has an option of its own: "accuracy.target=..."
   int threads = 0;  ///< 0: every core

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ies.h"
+
+#include "tests/fuzz/target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace clerestory;
+  return fuzz::read_bytes(data, size, "file.ies", [](const auto& path) { lighting::web_of(io::read_ies(path)); });
+}
