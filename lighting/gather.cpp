@@ -283,21 +283,12 @@ class Gatherer {
     part.which = k;
     extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
     if (part.lit() == 0) {
-      part.most_lux = most_through(k, at, normal);
+      part.most_lux = most_through(scene(), opening_ends_[k], at, normal);
       if (part.most_lux <= 0.0) return;
     }
     const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
     part.clear = scene().shafts->classify(eye, opening_ends_[k]) == Visibility::kVisible;
     state.parts.push_back(part);
-  }
-
-  /// What an opening gives if all of it that is not proven hidden shows the sky, or the ground below [lux].
-  [[nodiscard]] double most_through(std::uint32_t k, const Point& at, const Vector& normal) const {
-    const mesh::ShaftEnd& end = opening_ends_[k];
-    const SeenFactor seen = seen_factor(*scene().shafts, at, normal, end);
-    if (seen.factor <= 0.0) return 0.0;
-    const Point middle = end.corners[0] + 0.5 * (end.corners[2] - end.corners[0]);
-    return seen.factor * std::numbers::pi * sky_luminance(scene().sky, normalized(middle - at));
   }
 
   /// What the solution's errors make at a sensor, by what so many rays have met.

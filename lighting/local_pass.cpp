@@ -12,6 +12,7 @@
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
+#include "lighting/openings.h"
 #include "lighting/sun_light.h"
 
 namespace clerestory::lighting {
@@ -150,6 +151,7 @@ LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std
       most_rays_(ray_count(kMostRays / accuracy, 64.0)),
       accuracy_(accuracy),
       dark_lux_(dark_lux) {
+  for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
 }
 
@@ -247,7 +249,17 @@ void LocalPass::through_opening(std::uint32_t opening, std::uint32_t rays, const
     if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
     follow(scene, receiver.from, s.direction, 1.0F, rule, sum);
   }
-  sum.end();
+  sum.end(sum.part_lux() > 0.0 ? 0.0 : missed_through(opening, sampler.solid_angle_sr(), rays, receiver, sum));
+}
+
+/// What an opening gives at most whose rays have all missed the sky: by clipping, where that may matter.
+double LocalPass::missed_through(std::uint32_t opening, double solid_angle_sr, std::uint32_t rays,
+                                 const Receiver& receiver, const Sum& sum) const {
+  const Scene& scene = solution_.scene();
+  // A sky that is three times as bright there as on the mean.
+  const double most = solid_angle_sr * scene.sky.diffuse_illuminance_lux();
+  if (most < rays * accuracy_ * std::max(sum.weighted(), dark_lux_)) return 0.0;
+  return most_through(scene, opening_ends_[opening], receiver.from, receiver.normal);
 }
 
 /// What surfaces reflect, and the sky by no opening.

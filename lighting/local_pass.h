@@ -58,6 +58,8 @@ class LocalPass {
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
+  [[nodiscard]] double missed_through(std::uint32_t opening, double solid_angle_sr, std::uint32_t rays,
+                                      const Receiver& receiver, const Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 
   const Solution& solution_;
@@ -65,6 +67,7 @@ class LocalPass {
   std::span<const NodeDirect> nodes_;
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
   std::vector<Emitter> emitters_;
+  std::vector<mesh::ShaftEnd> opening_ends_;
   SobolPoints numbers_;  ///< the same at all points: differences between these are then the light's own
   std::uint32_t rays_;   ///< towards a source that is not wholly seen
   std::uint32_t most_rays_;

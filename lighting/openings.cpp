@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
+#include "lighting/seen_factor.h"
 #include "mesh/hash.h"
 
 namespace clerestory::lighting {
@@ -116,6 +118,13 @@ void find_openings(Scene& scene) {
     scene.openings.push_back(std::move(opening));
   }
   scene.rays->set_passages(std::move(passages), std::move(curves));
+}
+
+double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at, const Vector& normal) {
+  const SeenFactor seen = seen_factor(*scene.shafts, at, normal, opening);
+  if (seen.factor <= 0.0) return 0.0;
+  const Point middle = opening.corners[0] + 0.5 * (opening.corners[2] - opening.corners[0]);
+  return seen.factor * std::numbers::pi * sky_luminance(scene.sky, normalized(middle - at));
 }
 
 }  // namespace clerestory::lighting

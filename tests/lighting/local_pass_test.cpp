@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -121,8 +122,9 @@ TEST(LocalPass, StatesTheErrorThatItHas) {
   EXPECT_LT(rms, 1.2);
 }
 
-TEST(LocalPass, OfTheSkyComesThroughTheOpening) {
-  // A floor under a lid with an opening of 2 m × 2 m, below a uniform sky of 10,000 lux; walls all round.
+/// A floor under a lid with an opening of 2 m × 2 m, below a uniform sky of 10,000 lux; walls all round, all black. Strips that touch lie
+/// half-way up, from x = 0 to x = 2.
+Study room_under_a_hole(std::size_t strips) {
   mesh::Model room;
   for (const auto& [a, b, c, d, name] : std::vector<std::tuple<Point, Point, Point, Point, const char*>>{
            {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, "floor"},
@@ -135,17 +137,40 @@ TEST(LocalPass, OfTheSkyComesThroughTheOpening) {
   }
   support::add_polygon(room, {{0, 0, 3}, {0, 4, 3}, {4, 4, 3}, {4, 0, 3}}, {"lid", "lid"},
                        {{{1, 1, 3}, {3, 1, 3}, {3, 3, 3}, {1, 3, 3}}});
-  Study study = test::study_of(std::move(room), 0.0, {2, 2, 1});
+  for (std::size_t i = 0; i < strips; ++i) {
+    const auto y = [&](std::size_t k) { return 4.0 * static_cast<double>(k) / static_cast<double>(strips); };
+    support::add_quad(room, {0, y(i), 1.5}, {2, y(i), 1.5}, {2, y(i + 1), 1.5}, {0, y(i + 1), 1.5},
+                      {"sheet", "sheet" + std::to_string(i)});
+  }
+  Study study = test::study_of(std::move(room), 0.0, {3, 2, 1});
   test::leave_open(test::material(study, "air"));
   study.sky.type = Sky::Type::kUniform;
   study.sky.horizontal_illuminance_lux = 10000.0;
-  const Lit lit(study);
+  return study;
+}
+
+TEST(LocalPass, OfTheSkyComesThroughTheOpening) {
+  const Lit lit(room_under_a_hole(0));
   const Point at{1.3, 2.6, 0};
   const std::array<Point, 4> c{Point{1, 1, 3}, Point{1, 3, 3}, Point{3, 3, 3}, Point{3, 1, 3}};
   std::vector<mesh::OutlineEdge> edges;
   for (std::size_t k = 0; k < 4; ++k) edges.push_back({c[k], c[(k + 1) % 4]});
   const double expected = 10000.0 * point_form_factor(at, {0, 0, 1}, edges, {0, 0, -1});
   EXPECT_NEAR(lit.at(at), expected, 0.01 * expected);
+}
+
+// The sheet's shadow ends at x = 1, where the line from the opening's edge x = 3 over the sheet's edge x = 2 meets the floor.
+TEST(LocalPass, BehindACrowdRaysThatAllMissTheSkyLeaveAnErrorBehindASheetNone) {
+  for (const std::size_t strips : {std::size_t{1}, std::size_t{100}}) {
+    const LocalPass::Light light = Lit(room_under_a_hole(strips), 0.02).light({0.6, 2.01, 0});
+    EXPECT_EQ(light.lux.at(0), 0.0);
+    if (strips == 1) {
+      EXPECT_EQ(light.error_lux, 0.0);
+    } else {
+      EXPECT_GT(light.error_lux, 0.0);
+      EXPECT_LT(light.error_lux, 10000.0 / 32.0);
+    }
+  }
 }
 
 TEST(ShownMesh, FollowsThePenumbraOnTheFloor) {
