@@ -275,7 +275,7 @@ void DirectSampler::survey_luminaires(ElementId e, Places& places, double& total
   if (scene().luminaires.empty()) return;
   const Vector& normal = solution_.tree().normal(e);
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const double lux = luminaire_illuminance(scene(), places.lifted[i], normal).value;
+    const double lux = luminaire_illuminance(scene(), places.lifted[i], normal, kRoughMean).value;
     places.samples[i].value += lux;
     total += lux / kPoints;
   }
@@ -390,7 +390,7 @@ double DirectSampler::luminaire_mean(ElementId e, GroupSums& groups) const {
   double sum = 0.0;
   for (std::uint32_t i = 0; i < kPlaces; ++i) {
     const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-    sum += luminaire_illuminance(scene(), at, tree.normal(e), 1.0 / kPlaces, groups).value / kPlaces;
+    sum += luminaire_illuminance(scene(), at, tree.normal(e), kRoughMean, 1.0 / kPlaces, groups).value / kPlaces;
   }
   return sum;
 }

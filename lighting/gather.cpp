@@ -176,7 +176,7 @@ class Gatherer {
     const std::uint32_t rays = roughly ? 1 : first_rays_;
     GroupSums exact(scene().groups);
     for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k) see_emitter(k, rays, sensor, at, normal, state, exact);
-    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal, 1.0, exact);
+    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal, kFineMean, 1.0, exact);
     state.exact_lux += by_luminaires.value;
     see_sun(rays, sensor, at, normal, state, exact);
     state.exact = exact.lit();

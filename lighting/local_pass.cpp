@@ -183,7 +183,7 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
   const mesh::ElementTree& tree = solution_.tree();
   const Scene& scene = solution_.scene();
   Sum sum(solution_, errors_,
-          luminaire_illuminance(scene, receiver.from, receiver.normal).value +
+          luminaire_illuminance(scene, receiver.from, receiver.normal, kFineMean).value +
               sun_illuminance(scene, receiver.from, receiver.normal));
   for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
@@ -201,7 +201,7 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
   if (as_solved(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal};
-  double lux = luminaire_illuminance(solution_.scene(), receiver.from, normal).value;
+  double lux = luminaire_illuminance(solution_.scene(), receiver.from, normal, kRoughMean).value;
   lux += sun_illuminance(solution_.scene(), receiver.from, normal);
   for (const Emitter& emitter : emitters_) {
     const EmitterView view = look(solution_, emitter, receiver.from, normal);

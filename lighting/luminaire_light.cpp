@@ -2,11 +2,13 @@
 #include "lighting/luminaire_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_mounting.h"
+#include "lighting/luminaire_view.h"
 
 namespace clerestory::lighting {
 
@@ -90,11 +92,24 @@ double from_place(const Luminaire& luminaire, const Point& place, const Point& a
   return luminaire.intensity_cd(-d / distance) * cosine / (distance2 * distance);
 }
 
-AreaMean straight(const Lit& lit, const Point& at, const Vector& normal) {
-  return mean_over_opening(lit.luminaire, at, [&](const Point& place) {
-    const double lux = from_place(lit.luminaire, place, at, normal);
-    return lux > 0.0 ? lux * way(lit, at, place, {}).passed : 0.0;
-  });
+/// Whether a luminaire is near enough for its opening to be more than a point.
+bool is_near(const Luminaire& luminaire, const Point& at) {
+  return norm(luminaire.at - at) < kFarInSizes * luminaire.opening.size_m();
+}
+
+AreaMean straight(const Lit& lit, const Point& at, const Vector& normal, double tolerance) {
+  if (is_near(lit.luminaire, at)) {
+    const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, normal); };
+    if (const auto parts = seen_opening(lit.scene, lit.luminaire, lit.flush, at))
+      return MeanOverParts(lit.luminaire, open, tolerance).mean(*parts);
+  }
+  return mean_over_opening(
+      lit.luminaire, at,
+      [&](const Point& place) {
+        const double lux = from_place(lit.luminaire, place, at, normal);
+        return lux > 0.0 ? lux * way(lit, at, place, {}).passed : 0.0;
+      },
+      tolerance);
 }
 
 /// The mirror image of points and directions in a plane.
@@ -106,8 +121,33 @@ struct Mirror {
   [[nodiscard]] Point of(const Point& p) const { return p - 2.0 * dot(p - origin, w) * w; }
 };
 
+/// Whether a point may see any of a luminaire's image in a pane: the cone to the ball round the image meets the rectangle round the pane.
+bool may_mirror(const mesh::Faces& faces, const mesh::Face& pane, const Luminaire& image, const Point& at) {
+  const Vector to = image.at - at;
+  const double height = dot(pane.origin - at, pane.frame.w);
+  const double along = height / dot(to, pane.frame.w);
+  const Vector crossing = at + along * to - pane.origin;
+  // The cone is cut at a slant.
+  const double slant = norm(to) / std::abs(dot(to, pane.frame.w));
+  const double radius = 0.5 * image.opening.size_m() * along * slant;
+  std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
+  for (const auto& loop : pane.loops) {
+    for (const std::uint32_t vertex : loop) {
+      const Vector d = faces.shape.vertices[vertex] - pane.origin;
+      const double u = dot(d, pane.frame.u);
+      const double v = dot(d, pane.frame.v);
+      box = {std::min(box[0], u), std::min(box[1], v), std::max(box[2], u), std::max(box[3], v)};
+    }
+  }
+  const double u = dot(crossing, pane.frame.u);
+  const double v = dot(crossing, pane.frame.v);
+  return u > box[0] - radius && u < box[2] + radius && v > box[1] - radius && v < box[3] + radius;
+}
+
 /// By one reflection in the pane of a face.
-AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vector& normal) {
+/// @param little  where all of the image gives less, its middle stands for it [lux]
+AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vector& normal, double tolerance,
+                  double little) {
   const Scene& scene = lit.scene;
   const mesh::Face& pane = scene.faces.faces[face.index()];
   const Mirror mirror{pane.origin, pane.frame.w};
@@ -117,7 +157,8 @@ AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vect
   Luminaire image = lit.luminaire;
   image.at = mirror.of(image.at);
   image.axes = {mirror.of(image.axes.u), mirror.of(image.axes.v), mirror.of(image.axes.w)};
-  return mean_over_opening(image, at, [&](const Point& place) {
+  if (!may_mirror(scene.faces, pane, image, at)) return {};
+  const auto from = [&](const Point& place) {
     const double lux = from_place(image, place, at, normal);
     if (lux <= 0.0) return 0.0;
     const Way to_pane = way(lit, at, place, face);
@@ -126,7 +167,16 @@ AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vect
         glazing_share(scene, to_pane.hit, normalized(place - at), &GlazingCurves::reflectance) * to_pane.passed;
     if (share <= kLeastWeight) return 0.0;
     return lux * share * way(lit, to_pane.at + scene.rays->offset_m() * back, mirror.of(place), {}).passed;
-  });
+  };
+  const double cosine = std::abs(dot(normalized(image.at - at), mirror.w));
+  const auto& curves = scene.glazings[static_cast<std::size_t>(scene.glazing_of[face.index()])];
+  const double most =
+      from_place(image, image.at, at, normal) * mesh::transmittance_at(curves.reflectance, static_cast<float>(cosine));
+  if (most < little) {
+    const double middle = from(image.at);
+    return {middle, 0.5 * std::max(middle, most)};
+  }
+  return mean_over_opening(image, at, from, tolerance);
 }
 
 void add(const AreaMean& light, AreaMean& sum) {
@@ -137,29 +187,41 @@ void add(const AreaMean& light, AreaMean& sum) {
 }  // namespace
 
 AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vector& normal) {
-  return mean_over_opening(luminaire, at, [&](const Point& place) { return from_place(luminaire, place, at, normal); });
+  const auto open = [&](const Point& place) { return from_place(luminaire, place, at, normal); };
+  const auto whole = whole_opening(luminaire);
+  if (whole && is_near(luminaire, at)) return MeanOverParts(luminaire, open, kFineMean).mean({&*whole, 1});
+  return mean_over_opening(luminaire, at, open, kFineMean);
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal) {
+double luminaire_glance(const Scene& scene, const Point& at, const Vector& normal) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const Luminaire& luminaire = scene.luminaires[k];
+    const double lux = from_place(luminaire, luminaire.at, at, normal);
+    if (lux > 0.0) sum += lux * way({scene, luminaire, scene.flush_faces[k]}, at, luminaire.at, {}).passed;
+  }
+  return sum;
+}
+
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double tolerance) {
   GroupSums none;
-  return luminaire_illuminance(scene, at, normal, 0.0, none);
+  return luminaire_illuminance(scene, at, normal, tolerance, 0.0, none);
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double share,
-                               GroupSums& groups) {
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double tolerance,
+                               double share, GroupSums& groups) {
   AreaMean sum;
-  std::vector<Lit> all;
-  for (std::size_t k = 0; k < scene.luminaires.size(); ++k)
-    all.push_back({scene, scene.luminaires[k], scene.flush_faces[k]});
-  if (all.empty()) return sum;
   const auto add_to_group = [&](std::size_t k, const AreaMean& light) {
     add(light, sum);
     groups.add(scene.luminaire_group[k], share * light.value);
   };
-  for (std::size_t k = 0; k < all.size(); ++k) add_to_group(k, straight(all[k], at, normal));
-  for (std::size_t f = 0; f < scene.faces.count(); ++f) {
-    if (scene.glazing_of[f] < 0) continue;
-    for (std::size_t k = 0; k < all.size(); ++k) add_to_group(k, mirrored(all[k], mesh::FaceId(f), at, normal));
+  const auto lit = [&](std::size_t k) { return Lit{scene, scene.luminaires[k], scene.flush_faces[k]}; };
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_to_group(k, straight(lit(k), at, normal, tolerance));
+  if (scene.luminaires.empty()) return sum;
+  const double little = tolerance * sum.value;
+  for (const mesh::FaceId pane : scene.panes) {
+    for (std::size_t k = 0; k < scene.luminaires.size(); ++k)
+      add_to_group(k, mirrored(lit(k), pane, at, normal, tolerance, little));
   }
   return sum;
 }

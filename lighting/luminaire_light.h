@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lighting/luminaire_view.h"
 #include "lighting/luminous_area.h"
 #include "lighting/scene.h"
 #include "mesh/geometry.h"
@@ -10,12 +11,16 @@ namespace clerestory::lighting {
 /// Illuminance by a luminaire at an unobstructed point [lux]: inverse square and cosine laws, over its luminous opening where the point is near.
 AreaMean illuminance_by(const Luminaire& luminaire, const mesh::Point& at, const mesh::Vector& normal);
 
+/// About that by all luminaires of a scene at a point off its surfaces [lux]: straight from their middles.
+double luminaire_glance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
+
 /// Illuminance by all luminaires of a scene at a point off its surfaces [lux]: straight, through panes and openings, and by one
 /// reflection in each pane, as of the luminaire's image behind it.
-AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
+/// @param tolerance  share of each luminaire's light that may be missed where its opening is near and flat (lighting/luminaire_view.h)
+AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double tolerance);
 
 /// The same; the groups of the luminaires are given a share of it.
-AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double share,
-                               GroupSums& groups);
+AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double tolerance,
+                               double share, GroupSums& groups);
 
 }  // namespace clerestory::lighting

@@ -20,24 +20,30 @@ struct AreaMean {
 /// Beyond so many times its size a luminaire is a point. At five times, a Lambertian disc differs from a point by 1 % [CIE 121-1996].
 inline constexpr double kFarInSizes = 5.0;
 
+/// How well a mean is to be known, as a share of it: at sensors, and where a line is laid through many places.
+inline constexpr double kFineMean = 2e-3;
+inline constexpr double kRoughMean = 2e-2;
+
 /// The mean of a function of places over the luminous opening of a luminaire: three Gauss points an extent, in parts that are halved along
 /// their longest extent until two points an extent tell the same and no edge of a
 /// shadow runs through. The points are the same in every run.
 template <class Function>
 class LuminousAreaMean {
  public:
-  LuminousAreaMean(const Luminaire& luminaire, const Function& function) : luminaire_(luminaire), function_(function) {}
+  /// @param tolerance  share of the mean
+  LuminousAreaMean(const Luminaire& luminaire, const Function& function, double tolerance)
+      : luminaire_(luminaire), function_(function), tolerance_(tolerance) {}
 
   [[nodiscard]] AreaMean mean() const {
     AreaMean result;
-    add({{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, 0.0, kHalvings, result);
+    add({{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, 0.0, tolerance_ < kRoughMean ? kHalvings : kFewHalvings, result);
     result.error = std::sqrt(result.error);
     return result;
   }
 
  private:
-  static constexpr double kTolerance = 2e-3;  ///< of the mean: what two points and three may differ by
   static constexpr int kHalvings = 6;
+  static constexpr int kFewHalvings = 1;  ///< where a rough mean will do
   static constexpr double kEdgeError =
       1.0 / 3.0;  ///< of what a part gives that an edge runs through: three points an extent tell where
 
@@ -96,7 +102,7 @@ class LuminousAreaMean {
     const double value = gauss(part, 3, seen);
     const double change = std::abs(value - gauss(part, 2, seen));
     const bool has_edge = seen.some && !seen.all;
-    if (tolerance <= 0.0) tolerance = kTolerance * std::abs(value);
+    if (tolerance <= 0.0) tolerance = tolerance_ * std::abs(value);
     if ((change <= tolerance && !has_edge) || left == 0) {
       result.value += value;
       const double error = has_edge ? std::max(change, kEdgeError * std::abs(value)) : change;
@@ -117,14 +123,17 @@ class LuminousAreaMean {
 
   const Luminaire& luminaire_;
   const Function& function_;
+  double tolerance_;
 };
 
 /// The mean over the luminous opening, as a point from afar sees it: of its centre beyond kFarInSizes.
+/// @param tolerance  share of the mean: what two points an extent and three may differ by
 template <class Function>
-AreaMean mean_over_opening(const Luminaire& luminaire, const mesh::Point& seen_from, const Function& function) {
+AreaMean mean_over_opening(const Luminaire& luminaire, const mesh::Point& seen_from, const Function& function,
+                           double tolerance) {
   const double far = kFarInSizes * luminaire.opening.size_m();
   if (norm(luminaire.at - seen_from) >= far) return {function(luminaire.at), 0.0};
-  return LuminousAreaMean<Function>(luminaire, function).mean();
+  return LuminousAreaMean<Function>(luminaire, function, tolerance).mean();
 }
 
 }  // namespace clerestory::lighting

@@ -113,6 +113,7 @@ void find_passable(const Study& study, Scene& scene) {
     const auto [entry, added] = known.try_emplace(key, static_cast<std::int32_t>(scene.glazings.size()));
     if (added) scene.glazings.push_back(glazing_curves(key.first, key.second));
     scene.glazing_of[f] = entry->second;
+    scene.panes.emplace_back(f);
   }
 }
 

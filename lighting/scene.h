@@ -46,6 +46,7 @@ struct Scene {
   std::vector<std::uint8_t> passable;             ///< [faces] glazing or opening
   std::vector<std::int32_t> glazing_of;           ///< [faces] index into glazings, -1 for the others
   std::vector<GlazingCurves> glazings;
+  std::vector<mesh::FaceId> panes;  ///< faces of glazing, ascending
   std::vector<Opening> openings;
   std::vector<std::int32_t> opening_of;  ///< [faces] index into openings, -1 for the others
   std::vector<mesh::Slit> slits;         ///< before sides with elements

@@ -16,7 +16,7 @@ Luminaire of(LuminousOpening::Shape shape, double x, double y, double z) {
 
 template <class Function>
 AreaMean near_mean(const Luminaire& luminaire, const Function& function) {
-  return mean_over_opening(luminaire, luminaire.at, function);
+  return mean_over_opening(luminaire, luminaire.at, function, kFineMean);
 }
 
 TEST(MeanOverOpening, OfACubicIsExact) {
@@ -45,9 +45,9 @@ TEST(MeanOverOpening, FromAfarIsThatOfTheCentre) {
   const auto square = of(LuminousOpening::Shape::kRectangle, 3, 4, 0);
   int calls = 0;
   const auto count = [&](const Point&) { return static_cast<double>(++calls); };
-  mean_over_opening(square, {0, 0, 25.001}, count);
+  mean_over_opening(square, {0, 0, 25.001}, count, kFineMean);
   EXPECT_EQ(calls, 1);
-  mean_over_opening(square, {0, 0, 24.999}, count);
+  mean_over_opening(square, {0, 0, 24.999}, count, kFineMean);
   EXPECT_GT(calls, 4);
 }
 
