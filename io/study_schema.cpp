@@ -461,10 +461,11 @@ constexpr StudyKey kKeys[] = {
     {.path = "results.columns",
      .type = kWord,
      .fallback = "\"mix\"",
-     .meaning = "The illuminance of which sources is given apart, as columns `illuminance_lux_GROUP` with their errors "
-                "that add up to `illuminance_lux`. mix: none; groups: the sky with the ground beyond the model as one, "
-                "the sun, and each group of lamps; sky-145: the same with the sky in Tregenza's patches, from the horizon up "
-                "and in a row from north to east, and the ground apart; sky-577: in Reinhart's.",
+     .meaning =
+         "The illuminance of which sources is given apart, as columns `illuminance_lux_GROUP` with their errors "
+         "that add up to `illuminance_lux`. mix: none; groups: the sky with the ground beyond the model as one, "
+         "the sun, and each group of lamps; sky-145: the same with the sky in Tregenza's patches, from the horizon up "
+         "and in a row from north to east, and the ground apart; sky-577: in Reinhart's.",
      .words = "mix groups sky-145 sky-577"},
 
     {.path = "accuracy", .type = kTable, .meaning = "How good the result must be."},
