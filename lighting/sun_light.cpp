@@ -79,10 +79,10 @@ double sun_illuminance(const Scene& scene, const Point& at, const Vector& normal
   const Sun& sun = scene.sky.sun;
   if (!sun.shines()) return 0.0;
   if (!sun.disc) return sun_illuminance(scene, at, normal, sun.towards);
-  static const SobolPoints numbers(0x50F);
+  static const SobolPoints kNumbers(0x50F);
   double sum = 0.0;
   for (std::uint32_t i = 0; i < kPlacesOfDisc; ++i)
-    sum += sun_illuminance(scene, at, normal, sun_direction(sun, numbers.at(i, 0), numbers.at(i, 1)));
+    sum += sun_illuminance(scene, at, normal, sun_direction(sun, kNumbers.at(i, 0), kNumbers.at(i, 1)));
   return sum / kPlacesOfDisc;
 }
 
