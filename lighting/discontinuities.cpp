@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lighting/form_factor.h"
+#include "lighting/luminaire_view.h"
 #include "lighting/parallel.h"
 #include "mesh/element_tree.h"
 
@@ -64,6 +65,24 @@ Candidate polygon(const Scene& scene, FaceSide side, double exitance) {
   return candidate;
 }
 
+/// A flat rectangular opening is as bright all over as its peak intensity tells; of other shapes it is the middle that casts shadows.
+Candidate lamp(const Luminaire& luminaire) {
+  Candidate candidate;
+  candidate.source.power = luminaire.flux_lm();
+  candidate.name = luminaire.name;
+  if (const auto opening = whole_opening(luminaire)) {
+    candidate.source.outline.emplace_back(opening->corners.begin(),
+                                          opening->corners.begin() + static_cast<std::ptrdiff_t>(opening->count));
+    candidate.source.normal = -luminaire.axes.w;
+    candidate.exitance = std::numbers::pi * luminaire.peak_cd() / (luminaire.opening.x_m * luminaire.opening.y_m);
+  } else {
+    candidate.source.kind = ShadowSource::Kind::kPoint;
+    candidate.source.at = luminaire.at;
+    candidate.exitance = luminaire.peak_cd();
+  }
+  return candidate;
+}
+
 /// Its power is what it sends through the openings; where nothing marks these, what it sends on the whole scene.
 Candidate sun(const Scene& scene) {
   const Sun& sun = scene.sky.sun;
@@ -93,15 +112,7 @@ std::vector<Candidate> all_sources(const Scene& scene) {
     const double own = luminance(scene.side_exitance(mesh::face_side(s)), scene.channel_weights);
     if (own > 0.0) found.push_back(polygon(scene, mesh::face_side(s), own));
   }
-  for (const Luminaire& luminaire : scene.luminaires) {
-    Candidate candidate;
-    candidate.source.kind = ShadowSource::Kind::kPoint;
-    candidate.source.at = luminaire.at;
-    candidate.source.power = luminaire.flux_lm();
-    candidate.exitance = luminaire.peak_cd();
-    candidate.name = luminaire.name;
-    found.push_back(std::move(candidate));
-  }
+  for (const Luminaire& luminaire : scene.luminaires) found.push_back(lamp(luminaire));
   if (scene.sky.sun.shines()) found.push_back(sun(scene));
   std::erase_if(found, [](const Candidate& c) {
     return c.source.kind == ShadowSource::Kind::kPolygon && c.source.outline.empty();

@@ -75,6 +75,22 @@ TEST(Discontinuities, PointSourcesGiveShadowEdges) {
   EXPECT_NEAR(found.sources.sources[0].power, 400.0 * std::numbers::pi, 1e-9);
 }
 
+TEST(Discontinuities, PanelsHavePenumbras) {
+  Study study = lamp_room();
+  for (Material& m : study.materials) m.front.emission.reset();
+  Luminaire panel = clerestory::test::lambertian_lamp({2.5, 2, 2.6}, {0, 0, -1}, 1000.0);
+  panel.opening = {.shape = LuminousOpening::Shape::kRectangle, .x_m = 1.2, .y_m = 0.3};
+  study.luminaires.push_back(panel);
+  const Scene scene = build_scene(study);
+  const SceneLines found = lines_at(scene, 0.02);
+  EXPECT_GT(found.lines.size(), 3U);
+  for (const mesh::DiscontinuityLine& line : found.lines) EXPECT_GT(line.order, 0);
+  EXPECT_NEAR(found.sources.exitance_lm_m2[0], std::numbers::pi * 1000.0 / 0.36, 1.0);
+  LineOptions jumps;
+  jumps.jumps_only = true;
+  EXPECT_TRUE(find_discontinuities(scene, jumps).lines.empty());
+}
+
 TEST(Discontinuities, SmallElementsAndBrightPlacesNeedNoLines) {
   const Scene scene = build_scene(lamp_room());
   const auto kept = [&](double size_m, double lux) {
