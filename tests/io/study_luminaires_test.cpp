@@ -40,7 +40,7 @@ class StudyLuminaires : public testing::Test {
     return read("[[luminaires]]\n" + lines).luminaires;
   }
   [[nodiscard]] std::string refusal(const std::string& lines) const {
-    return test::refusal_of([&] { luminaires(lines); });
+    return test::refusal_of([&] { static_cast<void>(luminaires(lines)); });
   }
 
   test::StudyFolder folder_;
