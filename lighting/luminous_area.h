@@ -21,7 +21,7 @@ struct AreaMean {
 inline constexpr double kFarInSizes = 5.0;
 
 /// How well a mean is to be known, as a share of it: at sensors, and where a line is laid through many places.
-inline constexpr double kFineMean = 2e-3;
+inline constexpr double kFineMean = 1e-3;
 inline constexpr double kRoughMean = 2e-2;
 
 /// The mean of a function of places over the luminous opening of a luminaire: three Gauss points an extent, in parts that are halved along
