@@ -71,11 +71,17 @@ void link_decisions(benchmark::State& state) {
   const test::Solved& solved = room();
   const Linker linker(solved.solution, solved.transport.clusters, solved.importance,
                       SolveOptions{}.link_share * kAccuracy * solved.importance.mean_lux(), kSeed);
-  const std::vector<Link>& links = solved.transport.links;
+  const Arrivals& arrivals = solved.transport.arrivals;
+  std::vector<LinkCandidate> pairs;
+  for (std::size_t k = 0; k < arrivals.receivers(); ++k) {
+    for (const Arrival& a : arrivals.at(k))
+      pairs.push_back({arrivals.receiver(k), a.source(),
+                       a.is_proven() ? clerestory::mesh::Visibility::kVisible : clerestory::mesh::Visibility::kPartial,
+                       a.is_mutual()});
+  }
   std::size_t i = 0;
   for (auto _ : state) {
-    const Link& link = links[i++ * 7919 % links.size()];
-    benchmark::DoNotOptimize(linker.decide({link.receiver, link.source, link.visibility, link.mutual}));
+    benchmark::DoNotOptimize(linker.decide(pairs[i++ * 7919 % pairs.size()]));
   }
   state.SetItemsProcessed(state.iterations());
 }

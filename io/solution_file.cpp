@@ -25,7 +25,7 @@ namespace {
 
 using lighting::StoredSolution;
 
-constexpr std::uint32_t kFormatVersion = 2;
+constexpr std::uint32_t kFormatVersion = 3;
 constexpr std::uint64_t kLargestFile = 8ULL << 30U;
 /// Bytes before the HDF5 file proper, which the format leaves to its users: who wrote the file, and a hash of all that follows. What HDF5
 /// is given to read is whole.
@@ -222,8 +222,10 @@ void visit_tables(Solution& s, const Table& table) {
   table("misfit_lux", s.misfit_lux);
   table("errors_lux", s.errors);
   table("closing", s.closing);
-  table("link_ends", s.link_ends);
-  table("link_values", s.link_values);
+  table("receivers", s.receivers);
+  table("arrivals", s.arrivals);
+  table("arrival_errors", s.arrival_errors);
+  table("arrivals_made", s.arrivals_made);
   table("group_strengths", s.group_strengths);
   table("group_nodes", s.group_nodes);
   table("group_lux", s.group_lux);

@@ -94,8 +94,9 @@ Json energy_balance(const lighting::EnergyBalance& e) {
 }
 
 Json counts(const lighting::Results::Counts& c) {
-  return {{"parts", c.parts},       {"polygons", c.polygons}, {"openings", c.openings}, {"faces", c.faces},
-          {"elements", c.elements}, {"links", c.links},       {"rays", c.rays},         {"iterations", c.iterations}};
+  return {{"parts", c.parts},           {"polygons", c.polygons}, {"openings", c.openings},
+          {"faces", c.faces},           {"elements", c.elements}, {"links", c.links},
+          {"link_bytes", c.link_bytes}, {"rays", c.rays},         {"iterations", c.iterations}};
 }
 
 Json ray_figures(std::uint64_t rays, double ray_s, double cpu_s) {

@@ -283,10 +283,11 @@ class Block {
       for (std::uint32_t k = system_.first_term[i]; k < system_.first_term[i + 1]; ++k) {
         const ChannelSystem::Term& term = system_.terms[k];
         const Line& sent = sent_[term.source];
-        sum.value.values +=
-            term.factor * sent.value.values + term.moment_u * sent.u.values + term.moment_v * sent.v.values;
-        add(sum.u, term.slope_u, sent.value);
-        add(sum.v, term.slope_v, sent.value);
+        const float moment_u = term.factor * term.slopes.moment_u.value();
+        const float moment_v = term.factor * term.slopes.moment_v.value();
+        sum.value.values += term.factor * sent.value.values + moment_u * sent.u.values + moment_v * sent.v.values;
+        add(sum.u, term.factor * term.slopes.slope_u.value(), sent.value);
+        add(sum.v, term.factor * term.slopes.slope_v.value(), sent.value);
       }
       own_[system_.receivers[i]] = sum;
     }

@@ -52,13 +52,14 @@ void ChannelSystem::add_clusters(const Clusters& all) {
 void ChannelSystem::add_terms(const Arrivals& arrivals) {
   const auto first_cluster = static_cast<std::uint32_t>(rows.size());
   first_term.push_back(0);
+  terms.reserve(arrivals.count());
   for (std::size_t i = 0; i < arrivals.receivers(); ++i) {
     receivers.push_back(row_of(arrivals.receiver(i)));
-    arrivals.visit(i, [&](const Link& link) {
-      const std::uint32_t source =
-          link.source.is_cluster() ? first_cluster + link.source.cluster() : row_of(link.source.element());
-      terms.push_back({source, link.factor, link.slope_u, link.slope_v, link.moment_u, link.moment_v});
-    });
+    for (const Arrival& arrival : arrivals.at(i)) {
+      const LinkSource from = arrival.source();
+      const std::uint32_t source = from.is_cluster() ? first_cluster + from.cluster() : row_of(from.element());
+      terms.push_back({source, arrival.factor(), arrival.slopes()});
+    }
     first_term.push_back(static_cast<std::uint32_t>(terms.size()));
   }
 }

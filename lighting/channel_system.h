@@ -28,15 +28,13 @@ struct ChannelSystem {
     LinearValue closing;
     mesh::SecondMoments area;
   };
-  /// Light that arrives by a link, without what only refinement needs.
+  /// Light that arrives by a link.
   struct Term {
     std::uint32_t source = 0;  ///< row
     float factor = 0.0F;
-    float slope_u = 0.0F;
-    float slope_v = 0.0F;
-    float moment_u = 0.0F;
-    float moment_v = 0.0F;
+    PackedSlopes slopes;
   };
+  static_assert(sizeof(Term) == 16);
   struct Cluster {
     std::uint32_t left = 0;  ///< row; of a leaf its root's
     std::uint32_t right = kNone;

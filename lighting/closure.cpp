@@ -27,18 +27,17 @@ constexpr std::size_t kMostRounds = 100;
 /// Whether all that an element sees is proven visible, and fills its hemisphere.
 bool is_filled(const Solution& solution, const Arrivals& arrivals, ElementId e) {
   const mesh::ElementTree& tree = solution.tree();
-  bool proven = true;
   double sum = 0.0;
-  for (ElementId up = e; up.valid() && proven; up = tree.parent(up)) {
-    arrivals.visit(up, [&](const Link& link) {
-      proven = proven && link.visibility == mesh::Visibility::kVisible;
-      if (!proven) return;
-      const ElementId s = link.source.element();
+  for (ElementId up = e; up.valid(); up = tree.parent(up)) {
+    const std::span<const Arrival> here = arrivals.at(up);
+    if (!std::all_of(here.begin(), here.end(), [](const Arrival& a) { return a.is_proven(); })) return false;
+    for (const Arrival& arrival : here) {
+      const ElementId s = arrival.source().element();
       std::array<OutlineEdge, 3> scratch;
       sum += point_form_factor(tree.centroid(e), tree.normal(e), tree.outline(s, scratch), tree.normal(s));
-    });
+    }
   }
-  return proven && std::abs(1.0 - sum) <= kFilled;
+  return std::abs(1.0 - sum) <= kFilled;
 }
 
 /// A function over the surfaces, linear on each element: what the links make of it.
@@ -56,7 +55,7 @@ class Exchange {
         arrivals_.receivers(),
         [&](std::size_t i) {
           Line& line = received_[arrivals_.receiver(i).index()];
-          arrivals_.visit(i, [&](const Link& link) { add(link, line); });
+          for (const Arrival& arrival : arrivals_.at(i)) add(arrival, line);
         },
         64);
     parallel_for(
@@ -96,11 +95,12 @@ class Exchange {
     }
   }
 
-  void add(const Link& link, Line& line) const {
-    const Sent sent = link.source.is_cluster() ? Sent{1.0, 0.0, 0.0} : sent_[link.source.element().index()];
-    line.value += link.factor * sent.mean + link.moment_u * sent.u + link.moment_v * sent.v;
-    line.u += link.slope_u * sent.mean;
-    line.v += link.slope_v * sent.mean;
+  void add(const Arrival& arrival, Line& line) const {
+    const LinkSource source = arrival.source();
+    const Sent sent = source.is_cluster() ? Sent{1.0, 0.0, 0.0} : sent_[source.element().index()];
+    line.value += arrival.factor() * sent.mean + arrival.moment_u() * sent.u + arrival.moment_v() * sent.v;
+    line.u += arrival.slope_u() * sent.mean;
+    line.v += arrival.slope_v() * sent.mean;
   }
 
   [[nodiscard]] LinearValue arrived_at(ElementId e) const {

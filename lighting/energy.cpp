@@ -93,26 +93,29 @@ Measured measure(const Solution& solution, const std::vector<ElementId>& element
 }
 
 /// Sum of |A_r F_rs - A_s F_sr| over the pairs linked both ways, as a share of what they exchange.
-double reciprocity(const Solution& solution, const std::vector<Link>& links) {
+double reciprocity(const Solution& solution, const Arrivals& arrivals) {
   const mesh::ElementTree& tree = solution.tree();
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> exchange;
   double differs = 0.0;
   double all = 0.0;
-  for (const Link& link : links) {
-    if (link.source.is_cluster() || link.by_rays) continue;
-    const std::uint32_t r = link.receiver.value;
-    const std::uint32_t s = link.source.element().value;
-    const double g = tree.area(link.receiver) * link.factor;
-    if (link.mutual) {
-      all += g;
-      continue;
-    }
-    const auto other = exchange.find({s, r});
-    if (other == exchange.end()) {
-      exchange[{r, s}] += g;
-    } else {
-      differs += std::abs(g - other->second);
-      all += std::max(g, other->second);
+  for (std::size_t i = 0; i < arrivals.receivers(); ++i) {
+    const ElementId receiver = arrivals.receiver(i);
+    for (const Arrival& arrival : arrivals.at(i)) {
+      if (arrival.source().is_cluster() || arrival.by_rays() || arrival.is_back()) continue;
+      const std::uint32_t r = receiver.value;
+      const std::uint32_t s = arrival.source().element().value;
+      const double g = tree.area(receiver) * arrival.factor();
+      if (arrival.is_mutual()) {
+        all += g;
+        continue;
+      }
+      const auto other = exchange.find({s, r});
+      if (other == exchange.end()) {
+        exchange[{r, s}] += g;
+      } else {
+        differs += std::abs(g - other->second);
+        all += std::max(g, other->second);
+      }
     }
   }
   return all > 0.0 ? differs / all : 0.0;
@@ -141,13 +144,13 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
   const double sent = flux_before.back();
   const double in = balance.emitted_lm + balance.received_lm;
   if (sent > 0.0) {
-    const Arrivals arrivals(transport.links, tree);
-    const Measured measured = measure(solution, elements, flux_before, factor_sums(solution, arrivals, elements), seed);
+    const Measured measured =
+        measure(solution, elements, flux_before, factor_sums(solution, transport.arrivals, elements), seed);
     balance.left_lm = sent * (1.0 - measured.landed);
     balance.closure = std::abs(measured.factors - measured.landed);
   }
   balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;
-  balance.reciprocity = reciprocity(solution, transport.links);
+  balance.reciprocity = reciprocity(solution, transport.arrivals);
   return balance;
 }
 

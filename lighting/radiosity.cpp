@@ -67,7 +67,7 @@ class Solver {
       refine(linker, std::move(start), {pass > 0 ? kEndOfPass[pass - 1] : 0.0, kEndOfPass[pass]});
       const bool last = pass + 1 == kPasses.size() || progress_.should_finish();
       if (last) hand_down(linker);
-      sort_links();
+      sort_links(false);
       iterate();
       if (last) break;
     }
@@ -82,8 +82,9 @@ class Solver {
     add_link_errors(solution_, clusters_, arrivals_);
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
-    return {std::move(all_), std::move(groups_), std::move(given_errors_), std::move(clusters_), std::move(errors),
-            iterations_,     convergence_,       out_of_elements_};
+    if (!options_.keep_link_errors) arrivals_.forget_errors();
+    return {std::move(arrivals_), std::move(groups_), std::move(given_errors_), std::move(clusters_), std::move(errors),
+            iterations_,          convergence_,       out_of_elements_};
   }
 
  private:
@@ -349,16 +350,15 @@ class Solver {
     }
   }
 
-  /// Links of all sorts in one list, by receiver.
-  void sort_links() {
-    all_ = links_;
-    all_.insert(all_.end(), opening_links_.begin(), opening_links_.end());
+  /// Links of all sorts, by receiver.
+  void sort_links(bool with_errors) {
+    arrivals_ = {};
+    std::vector<Link> looked;
     for (const Looker& looker : lookers_) {
       const std::vector<Link> links = links_to_seen(solution_, looker.root, looker.view.seen, {});
-      all_.insert(all_.end(), links.begin(), links.end());
+      looked.insert(looked.end(), links.begin(), links.end());
     }
-    std::stable_sort(all_.begin(), all_.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
-    arrivals_ = Arrivals(all_, solution_.tree());
+    arrivals_ = Arrivals({links_, opening_links_, looked}, solution_.tree(), with_errors);
   }
 
   /// Up to here panes stood in for what they mirror, as diffuse surfaces; from here on it is seen in them.
@@ -382,7 +382,8 @@ class Solver {
     groups_.insert(groups_.end(), mirrored.groups.begin(), mirrored.groups.end());
     for (const MirroredLight::Noise& noise : mirrored.noise)
       solution_.add_error(noise.receiver, noise.lux * noise.lux, 0.0);
-    sort_links();
+    sort_links(true);
+    std::vector<Link>().swap(links_);
   }
 
   [[nodiscard]] bool is_mirror(const Link& link) const {
@@ -413,8 +414,7 @@ class Solver {
   std::vector<Link> links_;
   std::vector<Link> opening_links_;
   std::vector<GroupDirect> groups_;
-  std::vector<Link> all_;
-  Arrivals arrivals_;  ///< of all_
+  Arrivals arrivals_;
   double scale_lux_;
   SolveOptions options_;
   Clusters clusters_;

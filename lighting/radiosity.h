@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "lighting/arrivals.h"
 #include "lighting/clusters.h"
 #include "lighting/direct_light.h"
 #include "lighting/importance.h"
-#include "lighting/links.h"
 #include "lighting/solution.h"
 #include "lighting/solution_errors.h"
 #include "mesh/progress.h"
@@ -16,7 +16,7 @@ namespace clerestory::lighting {
 
 /// What solve() leaves beside the solution.
 struct Transport {
-  std::vector<Link> links;          ///< sorted by receiver; openings' links among them
+  Arrivals arrivals;                ///< openings' links among them; with their errors where these are to be kept
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
   std::vector<Solution::Errors>
       given_errors;  ///< [nodes] of what nodes receive by rays of their own, without the links' errors
@@ -37,6 +37,7 @@ struct SolveOptions {
   double node_share = 0.02;
   /// The same for the rays of one link to a pane.
   double mirror_share = 0.1;
+  bool keep_link_errors = false;  ///< for a solution that is stored
 };
 
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by

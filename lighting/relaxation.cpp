@@ -28,12 +28,16 @@ Solution::Sent sent_by(const Solution& solution, const Clusters& clusters, LinkS
   return {clusters.radiosity(source.cluster())[channel], {}};
 }
 
-void add(const Solution& solution, const Clusters& clusters, const Link& link, std::span<LinearValue> sums) {
+void add(const Solution& solution, const Clusters& clusters, const Arrival& arrival, std::span<LinearValue> sums) {
+  const float moment_u = arrival.moment_u();
+  const float moment_v = arrival.moment_v();
+  const float slope_u = arrival.slope_u();
+  const float slope_v = arrival.slope_v();
   for (std::size_t c = 0; c < sums.size(); ++c) {
-    const Solution::Sent sent = sent_by(solution, clusters, link.source, c);
-    sums[c].value += link.factor * sent.value + link.moment_u * sent.moments.u + link.moment_v * sent.moments.v;
-    sums[c].slope_u += link.slope_u * sent.value;
-    sums[c].slope_v += link.slope_v * sent.value;
+    const Solution::Sent sent = sent_by(solution, clusters, arrival.source(), c);
+    sums[c].value += arrival.factor() * sent.value + moment_u * sent.moments.u + moment_v * sent.moments.v;
+    sums[c].slope_u += slope_u * sent.value;
+    sums[c].slope_v += slope_v * sent.value;
   }
 }
 
@@ -43,7 +47,7 @@ void gather(Solution& solution, const Clusters& clusters, const Arrivals& arriva
       [&](std::size_t i) {
         const auto sums = solution.gathered(arrivals.receiver(i));
         std::fill(sums.begin(), sums.end(), LinearValue{});
-        arrivals.visit(i, [&](const Link& link) { add(solution, clusters, link, sums); });
+        for (const Arrival& arrival : arrivals.at(i)) add(solution, clusters, arrival, sums);
       },
       64);
 }
@@ -107,14 +111,15 @@ double uneven_light(const Solution& solution, const Clusters& clusters, const Li
 
 void add_link_errors(Solution& solution, const Clusters& clusters, const Arrivals& arrivals) {
   for (std::size_t i = 0; i < arrivals.receivers(); ++i) {
-    arrivals.visit(i, [&](const Link& link) {
+    for (std::size_t k = 0; k < arrivals.at(i).size(); ++k) {
+      const Link link = arrivals.link(i, k);
       const double mean = mean_of(solution, clusters, link.source);
       const double noise = link.noise * mean;
       const double misfit = (link.error - link.noise) * mean;
       // Clusters' places were weighed by how bright they are.
       const double uneven = link.source.is_cluster() ? 0.0 : uneven_light(solution, clusters, link);
       solution.add_error(link.receiver, noise * noise + uneven * uneven, misfit * misfit);
-    });
+    }
   }
 }
 

@@ -34,7 +34,7 @@ double mean_of(const Solution& solution, const Clusters& clusters, LinkSource so
 double uneven_light(const Solution& solution, const Clusters& clusters, const Link& link);
 
 /// Adds the links' errors at their receivers to those of the solution, as the radiosities stand. Errors of different links are
-/// independent.
+/// independent. Precondition: the arrivals' errors are kept.
 void add_link_errors(Solution& solution, const Clusters& clusters, const Arrivals& arrivals);
 
 }  // namespace clerestory::lighting

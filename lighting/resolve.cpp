@@ -104,16 +104,13 @@ std::vector<Solution::Errors> given_errors(const StoredSolution& stored, const S
 Transport resolve(const StoredSolution& stored, Solution& solution, const Progress& progress) {
   regrow(stored, solution);
   Transport transport;
-  transport.links = stored_links(stored, solution);
   transport.groups = direct_light(stored, solution);
   transport.clusters = Clusters(solution.scene(), solution.tree());
-  for (const Link& link : transport.links) {
-    if (link.source.is_cluster() && link.source.cluster() >= transport.clusters.size()) refuse("it is damaged");
-  }
+  transport.arrivals = stored_arrivals(stored, solution, transport.clusters.size());
   give(transport.groups, solution);
   for (std::size_t i = 0; i < stored.elements.size(); ++i)
     solution.close(ElementId(stored.elements[i]), line_of(stored.closing[i]));
-  const Arrivals arrivals(transport.links, solution.tree());
+  const Arrivals& arrivals = transport.arrivals;
   solution.push_pull();
   const Relaxed relaxed = relax(solution, transport.clusters, arrivals, progress, Change::kOfElements);
   transport.iterations = relaxed.iterations;

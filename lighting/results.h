@@ -140,7 +140,8 @@ struct Results {
   std::optional<StoredSolution> solution;  ///< where it is to be kept
   mesh::CleanReport clean;
   struct Counts {
-    std::size_t parts = 0, polygons = 0, faces = 0, elements = 0, links = 0, rays = 0, openings = 0, iterations = 0;
+    std::size_t parts = 0, polygons = 0, faces = 0, elements = 0, links = 0, link_bytes = 0, rays = 0, openings = 0,
+                iterations = 0;
   } counts;
   struct MaterialUse {
     std::string name, became, why;

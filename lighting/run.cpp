@@ -264,8 +264,7 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
 }
 
 GroupRadiosity solve_groups(const Solution& solution, const Transport& transport) {
-  const Arrivals arrivals(transport.links, solution.tree());
-  return solve_channels(solution, ChannelSystem(solution, arrivals, transport.clusters), transport.groups);
+  return solve_channels(solution, ChannelSystem(solution, transport.arrivals, transport.clusters), transport.groups);
 }
 
 /// What did not converge is of no use to others.
@@ -319,7 +318,8 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   solution.limit_elements(study.mesh.max_elements);
   const std::vector<NodeDirect> given = direct.nodes;
   const Transport transport =
-      solve(solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, progress);
+      solve(solution, importance, std::move(direct),
+            {.accuracy = target, .seed = seed, .keep_link_errors = study.keep_solution}, progress);
   if (transport.out_of_elements) progress.out_of_elements();
 
   std::optional<GroupRadiosity> groups;
@@ -336,7 +336,8 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   progress.enter(Stage::kShowing);
   results.energy = energy_balance(solution, transport, seed);
   results.counts.elements = solution.elements().size();
-  results.counts.links = transport.links.size();
+  results.counts.links = transport.arrivals.count();
+  results.counts.link_bytes = transport.arrivals.bytes();
   results.counts.iterations = transport.iterations;
 
   clock.begin("shadows", progress);

@@ -141,10 +141,11 @@ class Reflections {
         arrivals_.receivers(),
         [&](std::size_t i) {
           Samples sum{};
-          arrivals_.visit(i, [&](const Link& link) {
-            add(sum, link.factor,
-                link.source.is_cluster() ? bundled_[link.source.cluster()] : radiosity_[link.source.element().index()]);
-          });
+          for (const Arrival& arrival : arrivals_.at(i)) {
+            const LinkSource source = arrival.source();
+            add(sum, arrival.factor(),
+                source.is_cluster() ? bundled_[source.cluster()] : radiosity_[source.element().index()]);
+          }
           gathered_[arrivals_.receiver(i).index()] = sum;
         },
         64);

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "lighting/links.h"
+#include "lighting/arrivals.h"
 #include "lighting/radiosity.h"
 #include "lighting/scene.h"
 #include "lighting/solution.h"
@@ -38,14 +39,16 @@ void expect_whole(const StoredSolution& s, const Solution& solution) {
   const bool fits = s.channels == solution.channels() && s.roots == solution.tree().roots().size() &&
                     s.irradiance.size() == count * s.channels && s.misfit_lux.size() == count &&
                     s.errors.size() == count && s.closing.size() == count &&
-                    s.link_ends.size() == s.link_values.size() && s.group_nodes.size() == s.group_lux.size() &&
-                    s.group_names.size() == s.group_strengths.size() && s.given_errors.size() == count + s.open.size();
+                    s.arrivals.size() == s.arrival_errors.size() && s.arrivals.size() == s.arrivals_made.size() &&
+                    s.group_nodes.size() == s.group_lux.size() && s.group_names.size() == s.group_strengths.size() &&
+                    s.given_errors.size() == count + s.open.size();
   const auto finite = [](const auto& values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
   };
   const auto all_finite = [&](const auto& rows) { return std::all_of(rows.begin(), rows.end(), finite); };
   if (!fits || !finite(s.misfit_lux) || !all_finite(s.irradiance) || !all_finite(s.errors) ||
-      !all_finite(s.link_values) || !all_finite(s.closing) || !all_finite(s.group_lux) || !all_finite(s.given_errors)) {
+      !all_finite(s.arrival_errors) || !all_finite(s.closing) || !all_finite(s.group_lux) ||
+      !all_finite(s.given_errors)) {
     damaged();
   }
 }
@@ -70,34 +73,14 @@ void grow(const StoredSolution& stored, Solution& solution) {
 std::array<float, 3> row_of(const LinearValue& line) { return {line.value, line.slope_u, line.slope_v}; }
 
 /// How a link was made, a bit each.
-enum LinkBit : std::uint32_t { kByRays = 4, kSplitSmall = 8, kRough = 16, kMutual = 32 };
-constexpr std::uint32_t kVisibilityBits = 3;
+enum MadeBit : std::uint32_t { kSplitSmall = 1, kRough = 2 };
 
-std::array<std::uint32_t, 3> ends_of(const Link& link) {
-  const std::uint32_t made = static_cast<std::uint32_t>(link.visibility) | (link.by_rays ? kByRays : 0U) |
-                             (link.split_small ? kSplitSmall : 0U) | (link.rough ? kRough : 0U) |
-                             (link.mutual ? kMutual : 0U);
-  return {link.receiver.value, link.source.number(), made};
-}
-
-Link link_of(const std::array<std::uint32_t, 3>& ends, const std::array<float, 8>& values) {
-  Link link;
-  link.receiver = ElementId(ends[0]);
-  link.source = LinkSource::of_number(ends[1]);
-  link.visibility = static_cast<mesh::Visibility>(ends[2] & kVisibilityBits);
-  link.by_rays = (ends[2] & kByRays) != 0;
-  link.split_small = (ends[2] & kSplitSmall) != 0;
-  link.rough = (ends[2] & kRough) != 0;
-  link.mutual = (ends[2] & kMutual) != 0;
-  link.factor = values[0];
-  link.slope_u = values[1];
-  link.slope_v = values[2];
-  link.moment_u = values[3];
-  link.moment_v = values[4];
-  link.error = values[5];
-  link.back_error = values[6];
-  link.noise = values[7];
-  return link;
+Arrival arrival_of(const Arrival::Words& words, std::size_t nodes, std::size_t clusters) {
+  const std::optional<Arrival> arrival = Arrival::of_words(words);
+  if (!arrival) damaged();
+  const LinkSource source = arrival->source();
+  if (source.is_cluster() ? source.cluster() >= clusters : source.element().index() >= nodes) damaged();
+  return *arrival;
 }
 
 void store_elements(const Solution& solution, const SolutionErrors& errors, StoredSolution& stored) {
@@ -112,11 +95,15 @@ void store_elements(const Solution& solution, const SolutionErrors& errors, Stor
 }
 
 void store_transport(const Solution& solution, const Transport& transport, StoredSolution& stored) {
-  stored.links = transport.links.size();
-  for (const Link& link : transport.links) {
-    stored.link_ends.push_back(ends_of(link));
-    stored.link_values.push_back({link.factor, link.slope_u, link.slope_v, link.moment_u, link.moment_v, link.error,
-                                  link.back_error, link.noise});
+  const Arrivals& arrivals = transport.arrivals;
+  stored.links = arrivals.count();
+  for (std::size_t i = 0; i < arrivals.receivers(); ++i) {
+    stored.receivers.push_back({arrivals.receiver(i).value, static_cast<std::uint32_t>(arrivals.at(i).size())});
+    for (const Arrival& arrival : arrivals.at(i)) stored.arrivals.push_back(arrival.words());
+    for (const ArrivalError& error : arrivals.errors_at(i)) {
+      stored.arrival_errors.push_back({error.error, error.noise});
+      stored.arrivals_made.push_back((error.split_small ? kSplitSmall : 0U) | (error.rough ? kRough : 0U));
+    }
   }
   for (const SourceGroup& group : solution.scene().groups.all()) {
     stored.group_names.push_back(group.name);
@@ -189,17 +176,28 @@ SolutionErrors restore(const StoredSolution& stored, Solution& solution) {
   return {std::move(errors), stored.seed};
 }
 
-std::vector<Link> stored_links(const StoredSolution& stored, const Solution& solution) {
+Arrivals stored_arrivals(const StoredSolution& stored, const Solution& solution, std::size_t clusters) {
   const std::size_t nodes = solution.tree().size();
-  std::vector<Link> links;
-  links.reserve(stored.link_ends.size());
-  for (std::size_t i = 0; i < stored.link_ends.size(); ++i) {
-    const Link link = link_of(stored.link_ends[i], stored.link_values[i]);
-    const bool fits = link.source.is_cluster() ? !link.mutual : link.source.element().index() < nodes;
-    if (link.receiver.index() >= nodes || !fits) damaged();
-    links.push_back(link);
+  std::vector<ElementId> receivers;
+  std::vector<std::size_t> starts{0};
+  for (const auto& [node, count] : stored.receivers) {
+    const bool ascends = receivers.empty() || node > receivers.back().value;
+    if (node >= nodes || !ascends || count > stored.arrivals.size() - starts.back()) damaged();
+    receivers.emplace_back(node);
+    starts.push_back(starts.back() + count);
   }
-  return links;
+  if (starts.back() != stored.arrivals.size()) damaged();
+  std::vector<Arrival> arrivals;
+  arrivals.reserve(stored.arrivals.size());
+  for (const Arrival::Words& words : stored.arrivals) arrivals.push_back(arrival_of(words, nodes, clusters));
+  std::vector<ArrivalError> errors;
+  errors.reserve(stored.arrivals.size());
+  for (std::size_t k = 0; k < stored.arrivals.size(); ++k) {
+    const auto& [error, noise] = stored.arrival_errors[k];
+    const std::uint32_t made = stored.arrivals_made[k];
+    errors.push_back({error, noise, (made & kSplitSmall) != 0, (made & kRough) != 0});
+  }
+  return {std::move(receivers), std::move(starts), std::move(arrivals), std::move(errors)};
 }
 
 }  // namespace clerestory::lighting

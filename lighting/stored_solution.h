@@ -13,10 +13,10 @@
 
 namespace clerestory::lighting {
 
+class Arrivals;
 class Solution;
 class SolutionErrors;
 struct LinearValue;
-struct Link;
 struct Scene;
 struct Transport;
 
@@ -39,8 +39,10 @@ struct StoredSolution {
   std::uint64_t links = 0;  ///< that it was made with
 
   // What it can be solved with anew.
-  std::vector<std::array<std::uint32_t, 3>> link_ends;  ///< receiver, number of the source, how the link was made
-  std::vector<std::array<float, 8>> link_values;        ///< factor, slopes, moments, error, back error, noise
+  std::vector<std::array<std::uint32_t, 2>> receivers;  ///< node, and how many links arrive there
+  std::vector<std::array<std::uint32_t, 4>> arrivals;   ///< at the receivers, one after the other, as Arrival::Words
+  std::vector<std::array<float, 2>> arrival_errors;     ///< error and noise, as ArrivalError
+  std::vector<std::uint32_t> arrivals_made;             ///< bits: 1 the smaller end is split, 2 rough
   std::vector<std::array<float, 3>> closing;            ///< [elements] as LinearValue
   std::vector<std::string> group_names;
   std::vector<double> group_strengths;
@@ -49,7 +51,7 @@ struct StoredSolution {
   std::vector<std::array<float, 2>> given_errors;         ///< [nodes that take part] Transport::given_errors
 };
 
-/// All but the energy balance, which the solution does not know. The scene's groups must be told apart.
+/// All but the energy balance, which the solution does not know. The scene's groups must be told apart, and the links' errors be kept.
 StoredSolution store(const Solution& solution, const Transport& transport, double accuracy);
 
 /// Whether surfaces reflect, or sources shine, otherwise than when the solution was stored.
@@ -68,7 +70,7 @@ std::vector<mesh::ElementId> nodes_of(const Solution& solution);
 
 LinearValue line_of(const std::array<float, 3>& row);
 
-/// The links of a stored solution whose tree has been regrown. Throws InputError for damaged ones.
-std::vector<Link> stored_links(const StoredSolution& stored, const Solution& solution);
+/// The links of a stored solution whose tree has been regrown, with their errors. Throws InputError for damaged ones.
+Arrivals stored_arrivals(const StoredSolution& stored, const Solution& solution, std::size_t clusters);
 
 }  // namespace clerestory::lighting

@@ -37,8 +37,10 @@ SolutionFile example() {
   s.energy.emitted_lm = 4000.0;
   s.energy.residual = -1e-6;
   s.links = 51042;
-  s.link_ends = {{5, 0x80000001U, 33}};
-  s.link_values = {{0.25F, 1, 2, 3, 4, 5, 6, 7}};
+  s.receivers = {{5, 1}};
+  s.arrivals = {{0x80000001U, 0x3E800000U, 0x12345678U, 0xFEDCBA98U}};
+  s.arrival_errors = {{0.5F, 0.25F}};
+  s.arrivals_made = {3};
   s.closing = {{1, 0, 0}, {1.5F, 0.5F, -0.5F}};
   s.group_names = {"sky-1", "ground", "row a"};
   s.group_strengths = {1000.5, 200.25, 1.0};
@@ -94,8 +96,10 @@ TEST_F(SolutionFiles, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(a.energy.emitted_lm, b.energy.emitted_lm);
   EXPECT_EQ(a.energy.residual, b.energy.residual);
   EXPECT_EQ(a.links, b.links);
-  EXPECT_EQ(a.link_ends, b.link_ends);
-  EXPECT_EQ(a.link_values, b.link_values);
+  EXPECT_EQ(a.receivers, b.receivers);
+  EXPECT_EQ(a.arrivals, b.arrivals);
+  EXPECT_EQ(a.arrival_errors, b.arrival_errors);
+  EXPECT_EQ(a.arrivals_made, b.arrivals_made);
   EXPECT_EQ(a.closing, b.closing);
   EXPECT_EQ(a.group_names, b.group_names);
   EXPECT_EQ(a.group_strengths, b.group_strengths);
@@ -137,7 +141,7 @@ TEST_F(SolutionFiles, OfOthersAreRefused) {
   EXPECT_THAT(refusal(file_, std::string(600, 'x')), HasSubstr("no stored solution"));
   write_solution(file_, example());
   std::string older = bytes_of(file_);
-  older[older.find("version 2") + 8] = '0';
+  older[older.find("version 3") + 8] = '0';
   EXPECT_THAT(refusal(file_, older), HasSubstr("another version"));
 }
 

@@ -13,9 +13,8 @@ namespace clerestory::lighting {
 namespace {
 
 GroupRadiosity channels_of(const test::Solved& solved) {
-  const Arrivals arrivals(solved.transport.links, solved.solution.tree());
-  return solve_channels(solved.solution, ChannelSystem(solved.solution, arrivals, solved.transport.clusters),
-                        solved.transport.groups);
+  const ChannelSystem system(solved.solution, solved.transport.arrivals, solved.transport.clusters);
+  return solve_channels(solved.solution, system, solved.transport.groups);
 }
 
 /// What all groups together reflect in the middle of an element, and all light does [lm/m²].

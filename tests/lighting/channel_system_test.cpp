@@ -9,12 +9,8 @@ namespace clerestory::lighting {
 namespace {
 
 struct System : test::Solved {
-  System()
-      : Solved(test::furnished_room_study()),
-        arrivals(transport.links, solution.tree()),
-        system(solution, arrivals, transport.clusters) {}
+  System() : Solved(test::furnished_room_study()), system(solution, transport.arrivals, transport.clusters) {}
 
-  Arrivals arrivals;
   ChannelSystem system;
 };
 
@@ -33,8 +29,7 @@ TEST(ChannelSystem, ParentsComeBeforeTheirChildrenAndChildrenFillThem) {
 
 TEST(ChannelSystem, EveryLinkIsATermAtEachOfItsReceivers) {
   const System s;
-  std::size_t arriving = 0;
-  for (const Link& link : s.transport.links) arriving += link.mutual ? 2 : 1;
+  const std::size_t arriving = s.transport.arrivals.count();
   EXPECT_EQ(s.system.terms.size(), arriving);
   EXPECT_EQ(s.system.first_term.back(), arriving);
   for (const ChannelSystem::Term& term : s.system.terms) EXPECT_LT(term.source, s.system.row_count());

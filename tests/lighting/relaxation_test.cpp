@@ -15,8 +15,7 @@ TEST(Relaxation, OfASolutionThatIsRelaxedChangesNothingMuch) {
   test::Solved solved(test::furnished_room_study());
   std::vector<float> before;
   for (const mesh::ElementId e : solved.solution.elements()) before.push_back(solved.solution.irradiance(e)[0].value);
-  const Arrivals arrivals(solved.transport.links, solved.solution.tree());
-  const Relaxed relaxed = relax(solved.solution, solved.transport.clusters, arrivals, NoProgress());
+  const Relaxed relaxed = relax(solved.solution, solved.transport.clusters, solved.transport.arrivals, NoProgress());
   EXPECT_LE(relaxed.missing, 1e-6);
   std::size_t i = 0;
   for (const mesh::ElementId e : solved.solution.elements()) {
@@ -29,9 +28,8 @@ TEST(Relaxation, AFurnaceNeedsNoMoreIterationsThanItsReflectanceTells) {
   Study study = test::study_of(support::box_room(4, 3, 2), 0.5, {2, 1, 1});
   for (Material& material : study.materials) test::shine(material, 100.0);
   test::Solved solved(study);
-  const Arrivals arrivals(solved.transport.links, solved.solution.tree());
   // 0.5 to the power of 20 is 1e-6.
-  EXPECT_LE(relax(solved.solution, solved.transport.clusters, arrivals, NoProgress()).iterations, 25U);
+  EXPECT_LE(relax(solved.solution, solved.transport.clusters, solved.transport.arrivals, NoProgress()).iterations, 25U);
   for (const mesh::ElementId e : solved.solution.elements()) {
     if (!solved.scene.shines(solved.solution.tree().face_side(e))) continue;
     EXPECT_NEAR(solved.solution.radiosity_mean(e), 200.0, 0.02);

@@ -24,7 +24,8 @@ struct Box : test::Stage {
   }
 
   [[nodiscard]] SolutionErrors errors(const std::vector<Link>& links, double missing = 0.0) const {
-    return {solution, Arrivals(links, solution.tree()), Clusters(solution.scene(), solution.tree()), missing, 1};
+    return {solution, Arrivals({links}, solution.tree(), true), Clusters(solution.scene(), solution.tree()), missing,
+            1};
   }
 
   ElementId floor = root("floor");

@@ -19,10 +19,12 @@ constexpr double kUnrefined_m = 1e9;
 constexpr double kDirectShare = 0.002;
 constexpr std::uint64_t kSeed = 12345;
 
-Transport solve_all(Stage& stage, const Importance& importance, double accuracy) {
+Transport solve_all(Stage& stage, const Importance& importance, const Study& study) {
   NoProgress nobody;
+  const double accuracy = study.accuracy.target;
   DirectLight direct = light_directly(stage.solution, importance, kDirectShare * accuracy, kSeed, nobody);
-  return solve(stage.solution, importance, std::move(direct), {.accuracy = accuracy, .seed = kSeed}, nobody);
+  return solve(stage.solution, importance, std::move(direct),
+               {.accuracy = accuracy, .seed = kSeed, .keep_link_errors = study.keep_solution}, nobody);
 }
 
 }  // namespace
@@ -49,9 +51,7 @@ std::vector<mesh::ElementId> Stage::roots(const std::string& material, mesh::Sid
 mesh::ElementId Stage::root(const std::string& material, mesh::Side side) const { return roots(material, side).at(0); }
 
 Solved::Solved(const Study& study)
-    : Stage(study),
-      importance(solution, positions, normals, kSeed),
-      transport(solve_all(*this, importance, study.accuracy.target)) {}
+    : Stage(study), importance(solution, positions, normals, kSeed), transport(solve_all(*this, importance, study)) {}
 
 double Solved::mean_illuminance(const std::vector<mesh::ElementId>& nodes, std::size_t channel) const {
   double flux = 0.0;

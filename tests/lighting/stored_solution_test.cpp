@@ -98,6 +98,26 @@ TEST(StoredSolution, OfAnotherStudyIsRefusedWithWhatHasChanged) {
   EXPECT_THAT(refusal(table, *solved.solution), HasSubstr("other surfaces or lamps shine"));
 }
 
+TEST(StoredSolution, WhoseLinksAreDamagedIsRefusedBeforeItIsSolvedAnew) {
+  Study study = kept_study();
+  const StoredSolution whole = *answer(study).solution;
+  study.sky.horizontal_illuminance_lux *= 2.0;
+  const auto damaged = [&](auto damage) {
+    StoredSolution stored = whole;
+    damage(stored);
+    return refusal(study, stored);
+  };
+  for (const std::string& said : {damaged([](StoredSolution& s) { s.receivers.pop_back(); }),
+                                  damaged([](StoredSolution& s) { s.receivers.front()[0] = 0x7FFFFFF0; }),
+                                  damaged([](StoredSolution& s) { s.receivers.front()[1] = 0x7FFFFFF0; }),
+                                  damaged([](StoredSolution& s) { std::swap(s.receivers[0], s.receivers[1]); }),
+                                  damaged([](StoredSolution& s) { s.arrivals.front()[0] = 0x0FFFFFF0; }),
+                                  damaged([](StoredSolution& s) { s.arrivals.front()[0] = 0x8FFFFFF0; }),
+                                  damaged([](StoredSolution& s) { s.arrivals.front()[1] = 0x7FC00000; })}) {
+    EXPECT_THAT(said, HasSubstr("damaged"));
+  }
+}
+
 TEST(StoredSolution, ThatIsDamagedIsRefused) {
   const Study study = kept_study();
   const StoredSolution whole = *answer(study).solution;
@@ -113,7 +133,7 @@ TEST(StoredSolution, ThatIsDamagedIsRefused) {
         damaged([](StoredSolution& s) { s.open.push_back(s.elements.back()); }),
         damaged([](StoredSolution& s) { s.elements.pop_back(); }),
         damaged([](StoredSolution& s) { s.irradiance.pop_back(); }),
-        damaged([](StoredSolution& s) { s.link_values.pop_back(); }),
+        damaged([](StoredSolution& s) { s.arrival_errors.pop_back(); }),
         damaged([](StoredSolution& s) { s.closing.pop_back(); }),
         damaged([](StoredSolution& s) { s.given_errors.pop_back(); }),
         damaged([](StoredSolution& s) { s.errors[3][2] = std::numeric_limits<float>::infinity(); }),
