@@ -69,7 +69,8 @@ void triangle_to_triangle(benchmark::State& state) {
 
 void link_decisions(benchmark::State& state) {
   const test::Solved& solved = room();
-  const Linker linker(solved.solution, solved.transport.clusters, solved.importance,
+  const ChannelDeviations no_channels;
+  const Linker linker(solved.solution, solved.transport.clusters, no_channels, solved.importance,
                       SolveOptions{}.link_share * kAccuracy * solved.importance.mean_lux(), kSeed);
   const Arrivals& arrivals = solved.transport.arrivals;
   std::vector<LinkCandidate> pairs;

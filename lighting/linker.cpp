@@ -223,10 +223,11 @@ double share_of(double error, double most) { return error <= 0.0 ? 0.0 : error /
 
 }  // namespace
 
-Linker::Linker(const Solution& solution, const Clusters& clusters, const Importance& importance, double tolerance_lux,
-               std::uint64_t seed)
+Linker::Linker(const Solution& solution, const Clusters& clusters, const ChannelDeviations& channels,
+               const Importance& importance, double tolerance_lux, std::uint64_t seed)
     : solution_(solution),
       clusters_(clusters),
+      channels_(channels),
       importance_(importance),
       tolerance_lux_(tolerance_lux),
       seed_(seed),
@@ -250,7 +251,8 @@ double Linker::worst_strain(const Link& link) const {
 double Linker::strain(const Link& link) const {
   const double most = tolerance(link.receiver);
   if (link.rough) return share_of(most_light(link.receiver, link.source), most);
-  return share_of(link.error * mean_of(solution_, clusters_, link.source) + uneven_light(solution_, clusters_, link),
+  return share_of(link.error * mean_of(solution_, clusters_, link.source) +
+                      uneven_light(solution_.tree(), link, deviation(link.source)),
                   most);
 }
 
@@ -278,13 +280,19 @@ LinkDecision::Kind Linker::split_for_receiver(const Link& link) const {
   }
   const ElementId s = link.source.element();
   const double other = tree.radius(s);
-  const bool uneven = solution_.radiosity_deviation(s) > 0.02F * solution_.radiosity_mean(s);
+  const bool uneven = deviation(link.source) > 0.02F * solution_.radiosity_mean(s);
   // A proven view of an even source gains nothing by splitting the source: its factor is exact.
   const bool own_first = link.split_small ? is_smaller(tree, link.receiver, s) : own >= other;
   const bool receiver_first = (link.visibility == Visibility::kVisible && !uneven) || own_first;
   if (receiver_first && own > kSmallest) return Kind::kSplitReceiver;
   if (other > kSmallest) return Kind::kSplitSource;
   return own > kSmallest ? Kind::kSplitReceiver : Kind::kLink;
+}
+
+double Linker::deviation(LinkSource source) const {
+  if (source.is_cluster())
+    return std::max(clusters_.radiosity_deviation(source.cluster()), channels_.of_cluster(source.cluster()));
+  return std::max(solution_.radiosity_deviation(source.element()), channels_.of(source.element()));
 }
 
 bool Linker::overlaps(ElementId receiver, std::uint32_t cluster) const {
@@ -335,9 +343,7 @@ double Linker::most_light(ElementId receiver, LinkSource source) const {
   const double area = cluster ? clusters_.area(source.cluster()) : tree.area(source.element());
   const double nearest = norm(centre - tree.centroid(receiver)) - radius - tree.radius(receiver);
   if (nearest <= 0.0) return std::numeric_limits<double>::infinity();
-  const double bright =
-      cluster ? clusters_.radiosity_mean(source.cluster()) + clusters_.radiosity_deviation(source.cluster())
-              : solution_.radiosity_mean(source.element()) + solution_.radiosity_deviation(source.element());
+  const double bright = mean_of(solution_, clusters_, source) + deviation(source);
   return bright * std::min(1.0, area / (std::numbers::pi * nearest * nearest));
 }
 

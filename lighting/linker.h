@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lighting/channel_deviations.h"
 #include "lighting/clusters.h"
 #include "lighting/importance.h"
 #include "lighting/links.h"
@@ -33,9 +34,11 @@ struct LinkDecision {
 /// Pure functions of geometry and of the solution as it stands; safe to call from many threads.
 class Linker {
  public:
+  /// @param channels       where light is told apart, how unevenly it shines in channels: a link's error is the largest over channels then, by
+  ///                       their weights, of which all light together is one; or else nothing
   /// @param tolerance_lux  error at the sensors that one link may cause
-  Linker(const Solution& solution, const Clusters& clusters, const Importance& importance, double tolerance_lux,
-         std::uint64_t seed);
+  Linker(const Solution& solution, const Clusters& clusters, const ChannelDeviations& channels,
+         const Importance& importance, double tolerance_lux, std::uint64_t seed);
 
   [[nodiscard]] LinkDecision decide(const LinkCandidate& candidate) const;
   /// Where refinement must end: the pair is linked as it is, its error with it; clusters that hold the receiver are parted all the same.
@@ -72,10 +75,13 @@ class Linker {
   /// Lets the end be refined that is too large for the slit at which it lies, where one is: its places may all miss the strip at the slit's foot
   /// that sees most, and parts of the other end would miss it one like the other.
   void split_at_slits(Link& link) const;
+  /// How far the source differs from its line, or a cluster from its mean, in the channel where it does so most [lm/m²].
+  [[nodiscard]] double deviation(LinkSource source) const;
   [[nodiscard]] bool overlaps(mesh::ElementId receiver, std::uint32_t cluster) const;
 
   const Solution& solution_;
   const Clusters& clusters_;
+  const ChannelDeviations& channels_;
   const Importance& importance_;
   double tolerance_lux_;
   std::uint64_t seed_;

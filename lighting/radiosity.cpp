@@ -11,6 +11,9 @@
 #include <utility>
 
 #include "lighting/arrivals.h"
+#include "lighting/channel_deviations.h"
+#include "lighting/channel_solver.h"
+#include "lighting/channel_system.h"
 #include "lighting/closure.h"
 #include "lighting/element_limit.h"
 #include "lighting/hemisphere_links.h"
@@ -61,7 +64,7 @@ class Solver {
     clusters_.pull(solution_);
     std::vector<LinkCandidate> start = begin();
     for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
-      const Linker linker(solution_, clusters_, importance_,
+      const Linker linker(solution_, clusters_, channels_, importance_,
                           kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_, options_.seed);
       if (pass > 0) start = reopen(linker);
       refine(linker, std::move(start), {pass > 0 ? kEndOfPass[pass - 1] : 0.0, kEndOfPass[pass]});
@@ -70,6 +73,7 @@ class Solver {
       sort_links(false);
       iterate();
       if (last) break;
+      tell_channels_apart();
     }
     progress_.advance(kEndOfPass.back());
     see_mirrors();
@@ -365,8 +369,8 @@ class Solver {
   void see_mirrors() {
     const auto to_pane =
         std::stable_partition(links_.begin(), links_.end(), [&](const Link& l) { return !is_mirror(l); });
-    const Linker linker(solution_, clusters_, importance_, options_.mirror_share * options_.accuracy * scale_lux_,
-                        options_.seed);
+    const Linker linker(solution_, clusters_, channels_, importance_,
+                        options_.mirror_share * options_.accuracy * scale_lux_, options_.seed);
     const MirroredLight mirrored = follow_mirrors(
         solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()),
         [&](ElementId receiver) { return linker.tolerance(receiver); }, options_.seed);
@@ -401,6 +405,40 @@ class Solver {
     }
   }
 
+  /// How unevenly surfaces shine in bands and in source groups, where these are asked for: refinement follows the worst of them.
+  void tell_channels_apart() {
+    const Scene& scene = solution_.scene();
+    const std::size_t bands = solution_.channels();
+    const std::size_t groups = scene.groups.has_columns() ? scene.groups.column_count() : 0;
+    if (bands == 1 && groups == 0) return;
+    const ChannelSystem system(solution_, arrivals_, clusters_);
+    const GroupRadiosity by_group = groups > 0 ? solve_channels(solution_, system, groups_) : GroupRadiosity();
+    channels_ = channel_deviations(system, solution_.tree().size(), bands + groups, [&](ElementId e, std::size_t c) {
+      return c < bands ? sent_in_band(e, c) : sent_by_group(by_group, e, c - bands);
+    });
+  }
+
+  /// What an element sends out in a band, by the band's weight [lm/m²].
+  [[nodiscard]] LinearValue sent_in_band(ElementId e, std::size_t band) const {
+    const Scene& scene = solution_.scene();
+    const mesh::FaceSide side = solution_.tree().face_side(e);
+    const LinearValue& lux = solution_.irradiance(e)[band];
+    const float weight = scene.channel_weights[band];
+    const float share = weight * scene.side_reflectance(side)[band];
+    return {share * lux.value + weight * scene.side_exitance(side)[band], share * lux.slope_u, share * lux.slope_v};
+  }
+
+  /// The same of a column of source groups, in all bands.
+  [[nodiscard]] LinearValue sent_by_group(const GroupRadiosity& radiosity, ElementId e, std::size_t column) const {
+    const Scene& scene = solution_.scene();
+    const mesh::FaceSide side = solution_.tree().face_side(e);
+    const std::span<const float> lines = radiosity.lines(e);
+    const std::size_t columns = radiosity.groups();
+    const bool own = scene.shines(side) && scene.groups.column_of(scene.side_group[side.index()]) == column;
+    const float emitted = own ? luminance(scene.side_exitance(side), scene.channel_weights) : 0.0F;
+    return {lines[column] + emitted, lines[columns + column], lines[2 * columns + column]};
+  }
+
   void iterate() {
     const Relaxed relaxed = relax(solution_, clusters_, arrivals_, progress_);
     iterations_ += relaxed.iterations;
@@ -418,6 +456,7 @@ class Solver {
   double scale_lux_;
   SolveOptions options_;
   Clusters clusters_;
+  ChannelDeviations channels_;
   std::size_t iterations_ = 0;
   double convergence_ = 0.0;
   std::vector<Solution::Errors> given_errors_;

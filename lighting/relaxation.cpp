@@ -101,12 +101,11 @@ double mean_of(const Solution& solution, const Clusters& clusters, LinkSource so
   return source.is_cluster() ? clusters.radiosity_mean(source.cluster()) : solution.radiosity_mean(source.element());
 }
 
-double uneven_light(const Solution& solution, const Clusters& clusters, const Link& link) {
-  if (link.source.is_cluster()) return link.factor * clusters.radiosity_deviation(link.source.cluster());
-  const mesh::ElementTree& tree = solution.tree();
+double uneven_light(const mesh::ElementTree& tree, const Link& link, double deviation) {
+  if (link.source.is_cluster()) return link.factor * deviation;
   const ElementId s = link.source.element();
   const double distance = std::max(1e-9, norm(tree.centroid(s) - tree.centroid(link.receiver)));
-  return link.factor * solution.radiosity_deviation(s) * std::min(1.0, tree.radius(s) / distance);
+  return link.factor * deviation * std::min(1.0, tree.radius(s) / distance);
 }
 
 void add_link_errors(Solution& solution, const Clusters& clusters, const Arrivals& arrivals) {
@@ -117,7 +116,10 @@ void add_link_errors(Solution& solution, const Clusters& clusters, const Arrival
       const double noise = link.noise * mean;
       const double misfit = (link.error - link.noise) * mean;
       // Clusters' places were weighed by how bright they are.
-      const double uneven = link.source.is_cluster() ? 0.0 : uneven_light(solution, clusters, link);
+      const double uneven =
+          link.source.is_cluster()
+              ? 0.0
+              : uneven_light(solution.tree(), link, solution.radiosity_deviation(link.source.element()));
       solution.add_error(link.receiver, noise * noise + uneven * uneven, misfit * misfit);
     }
   }

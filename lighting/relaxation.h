@@ -31,7 +31,8 @@ double mean_of(const Solution& solution, const Clusters& clusters, LinkSource so
 
 /// What a receiver may get more or less because parts of the source differ from its line, as far as they are seen under different
 /// factors [lux].
-double uneven_light(const Solution& solution, const Clusters& clusters, const Link& link);
+/// @param deviation  of the source's radiosity from its line, or from a cluster's mean [lm/m²]
+double uneven_light(const mesh::ElementTree& tree, const Link& link, double deviation);
 
 /// Adds the links' errors at their receivers to those of the solution, as the radiosities stand. Errors of different links are
 /// independent. Precondition: the arrivals' errors are kept.

@@ -26,7 +26,8 @@ struct Pairs : test::Stage {
     clusters.pull(solution);
   }
   [[nodiscard]] LinkDecision decide(ElementId receiver, LinkSource source, double tolerance_lux = kStrict_lux) const {
-    return Linker(solution, clusters, importance, tolerance_lux, 1).decide({receiver, source, Visibility::kPartial});
+    return Linker(solution, clusters, channels, importance, tolerance_lux, 1)
+        .decide({receiver, source, Visibility::kPartial});
   }
   [[nodiscard]] Link link(ElementId receiver, ElementId source) const {
     return decide(receiver, LinkSource::element(source)).link;
@@ -38,6 +39,7 @@ struct Pairs : test::Stage {
 
   Importance importance;
   Clusters clusters;
+  ChannelDeviations channels;
 };
 
 Study shining(mesh::Model model) {
@@ -77,7 +79,7 @@ TEST(Linker, MutualLinkIsTheSameSeenFromEitherEnd) {
   const Pairs pairs(shining(unequal_squares()));
   const ElementId a = pairs.root("lower");
   const ElementId b = pairs.root("upper");
-  const Linker linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1);
+  const Linker linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance, kLenient_lux, 1);
   ASSERT_EQ(linker.prove(a, b), Visibility::kVisible);
   const Link there = linker.link({a, LinkSource::element(b), Visibility::kVisible, true}).value();
   const Link back =
@@ -94,25 +96,41 @@ TEST(Linker, MutualLinkIsRefinedForTheEndThatAsksForIt) {
   const Pairs pairs(shining(unequal_squares()));
   const ElementId a = pairs.root("lower");
   const ElementId b = pairs.root("upper");
-  const Link link = Linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1)
+  const Link link = Linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance, kLenient_lux, 1)
                         .link({a, LinkSource::element(b), Visibility::kVisible, true})
                         .value();
   Link one_way = link;
   one_way.mutual = false;
   // The larger receiver tolerates less, by its area, and its places miss more.
   const double between = 0.5 * (link.error + link.back_error) * 100.0 * 3.141592653589793;
-  const Linker linker(pairs.solution, pairs.clusters, pairs.importance,
+  const Linker linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance,
                       between * 0.5 * pairs.importance.of(pairs.solution.tree(), a), 1);
   EXPECT_TRUE(linker.holds(one_way));
   EXPECT_FALSE(linker.holds(link));
   EXPECT_EQ(linker.split_of(link), Kind::kSplitSource);
 }
 
+TEST(Linker, WhatIsEvenInAllLightIsRefinedWhereAChannelIsNot) {
+  Pairs pairs(shining(unequal_squares()));
+  const ElementId a = pairs.root("lower");
+  const ElementId b = pairs.root("upper");
+  const double tolerance =
+      2.0 * pairs.link(a, b).error * pairs.solution.radiosity_mean(b) * pairs.importance.of(pairs.solution.tree(), a);
+  const auto holds = [&] {
+    return Linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance, tolerance, 1)
+        .holds(pairs.link(a, b));
+  };
+  EXPECT_TRUE(holds());
+  pairs.channels.nodes.assign(pairs.solution.tree().size(), 0.0F);
+  pairs.channels.nodes[b.index()] = 0.5F * pairs.solution.radiosity_mean(b);
+  EXPECT_FALSE(holds());
+}
+
 TEST(Linker, OpenEndsShareNoMoreThanIsAllowedOfWhatALineMisses) {
   Pairs pairs(shining(unequal_squares()));
   const ElementId a = pairs.root("lower");
   const ElementId b = pairs.root("upper");
-  const Linker linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, 1);
+  const Linker linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance, kLenient_lux, 1);
   const Link link = linker.link({a, LinkSource::element(b), Visibility::kVisible, true}).value();
   EXPECT_EQ(linker.split_at_open_ends(link, 0.0), Kind::kLink) << "neither is open";
   pairs.solution.open(b);
@@ -220,7 +238,7 @@ TEST(Linker, LinksThatCannotMatterAreRightOnTheAverage) {
   constexpr int kSeeds = 2000;
   double mean = 0.0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-    const Linker linker(pairs.solution, pairs.clusters, pairs.importance, kLenient_lux, seed);
+    const Linker linker(pairs.solution, pairs.clusters, pairs.channels, pairs.importance, kLenient_lux, seed);
     const LinkDecision decision = linker.decide(candidate);
     ASSERT_EQ(decision.kind, Kind::kLink);
     ASSERT_TRUE(decision.link.rough);
