@@ -98,7 +98,7 @@ void sensors(benchmark::State& state) {
   clerestory::NoProgress nobody;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        gather(solved.solution, solved.transport.errors, points, normals, kAccuracy, kSeed, nobody));
+        gather(solved.solution, solved.transport.errors, {points, normals}, kAccuracy, kSeed, nobody));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }

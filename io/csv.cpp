@@ -59,6 +59,8 @@ void expect_whole(const lighting::GridResult& grid) {
   const bool has_df = !grid.daylight_factor_percent.empty();
   if (grid.sensors.normals.size() != count || grid.illuminance_lux.size() != count || grid.error_lux.size() != count ||
       (has_df && grid.daylight_factor_percent.size() != count) ||
+      (!grid.cylindrical_lux.empty() &&
+       (grid.cylindrical_lux.size() != count || grid.cylindrical_error_lux.size() != count)) ||
       (!grid.sensors.ids.empty() && grid.sensors.ids.size() != count) ||
       std::any_of(grid.groups.begin(), grid.groups.end(), [&](const lighting::GroupColumn& group) {
         return group.illuminance_lux.size() != count || group.error_lux.size() != count;
@@ -76,11 +78,21 @@ std::string column_word(std::string_view name) {
   return word;
 }
 
+std::vector<float> modelling_of(const lighting::GridResult& grid) {
+  std::vector<float> ratios;
+  for (std::size_t i = 0; i < grid.cylindrical_lux.size(); ++i)
+    ratios.push_back(grid.illuminance_lux[i] > 0.0F ? grid.cylindrical_lux[i] / grid.illuminance_lux[i] : 0.0F);
+  return ratios;
+}
+
 std::string grid_csv(const lighting::GridResult& grid) {
   expect_whole(grid);
   const bool has_df = !grid.daylight_factor_percent.empty();
   std::string text = "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux";
   if (has_df) text += ",daylight_factor_percent";
+  const bool has_cylindrical = !grid.cylindrical_lux.empty();
+  const std::vector<float> modelling = modelling_of(grid);
+  if (has_cylindrical) text += ",cylindrical_lux,cylindrical_error_lux,modelling";
   for (const lighting::GroupColumn& group : grid.groups)
     text += ",illuminance_lux_" + column_word(group.name) + ",error_lux_" + column_word(group.name);
   text += '\n';
@@ -94,6 +106,11 @@ std::string grid_csv(const lighting::GridResult& grid) {
     append_light(text, grid.illuminance_lux[i], grid.name);
     append_light(text, grid.error_lux[i], grid.name);
     if (has_df) append_light(text, grid.daylight_factor_percent[i], grid.name);
+    if (has_cylindrical) {
+      append_light(text, grid.cylindrical_lux[i], grid.name);
+      append_light(text, grid.cylindrical_error_lux[i], grid.name);
+      append_light(text, modelling[i], grid.name);
+    }
     for (const lighting::GroupColumn& group : grid.groups) {
       append_light(text, group.illuminance_lux[i], grid.name);
       append_light(text, group.error_lux[i], grid.name);

@@ -4,19 +4,23 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lighting/results.h"
 
 namespace clerestory::io {
 
 /// A grid as a table, a sensor a line in the order of the sensors:
-/// `id,x,y,z,nx,ny,nz,illuminance_lux,error_lux[,daylight_factor_percent][,illuminance_lux_GROUP,error_lux_GROUP …]`,
+/// `id,x,y,z,nx,ny,nz,illuminance_lux,error_lux[,daylight_factor_percent][,cylindrical_lux,cylindrical_error_lux,modelling][,illuminance_lux_GROUP,error_lux_GROUP …]`,
 /// positions [m, model coordinates].
 /// The id is the sensor's number from 0; of a list of given points those that were left out keep theirs.
 /// Positions have six decimals (1 µm), normals nine significant digits, and light values the fewest digits that read
 /// back as the same float. The bytes depend on the values alone, not on locale or threads.
 /// A value that is not finite is our own bug: throws std::logic_error.
 std::string grid_csv(const lighting::GridResult& grid);
+
+/// Cylindrical by the sensors' own illuminance, 0 where that is; nothing where no cylindrical illuminance is told.
+std::vector<float> modelling_of(const lighting::GridResult& grid);
 
 /// The name of a group as part of the name of a column: what would part columns becomes -.
 std::string column_word(std::string_view name);

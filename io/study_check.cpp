@@ -83,6 +83,8 @@ std::string expected(const StudyKey& key) {
       return "a date and time";
     case ValueType::kNumbers:
       return "a list of numbers";
+    case ValueType::kNumbersOrWord:
+      return "a list of numbers, or one of " + joined(key.words);
   }
   return {};
 }
@@ -138,6 +140,8 @@ bool fits(const StudyKey& key, const StudyValue& value) {
       return value.kind == Kind::kDate;
     case ValueType::kNumbers:
       return all_of_items(value, is_number_or_list);
+    case ValueType::kNumbersOrWord:
+      return all_of_items(value, is_number_or_list) || (is_text(value) && contains_word(key.words, value.text));
   }
   return false;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "io/pts.h"
@@ -60,7 +62,7 @@ void add_surface(const StudyValue& value, const mesh::Model& model, lighting::Gr
 
 void read_points(const StudyValue& table, const StudyValue& file, StudyPlace& place, lighting::GridRequest& grid) {
   for (const StudyValue& member : table.children) {
-    if (member.key != "name" && member.key != "points")
+    if (member.key != "name" && member.key != "points" && member.key != "direction" && member.key != "modelling")
       throw member.error(fmt::format("a grid of given points has no {}", member.key), "remove it, or remove points");
   }
   const fs::path path = place.folder / file.text;
@@ -88,6 +90,37 @@ void read_layout(const StudyValue& table, const mesh::Model& model, lighting::Gr
   if (table.find("margin")->is_number()) grid.margin_m = table.find("margin")->number;
 }
 
+/// Horizontal, towards a point of the compass [degrees from north to east].
+mesh::Vector towards(double azimuth_deg, double north_deg) {
+  const double angle = (90.0 + north_deg - azimuth_deg) * std::numbers::pi / 180.0;
+  return {std::cos(angle), std::sin(angle), 0.0};
+}
+
+void read_direction(const StudyValue& table, double north_deg, lighting::GridRequest& grid) {
+  constexpr std::array<std::pair<std::string_view, double>, 4> kCompass{
+      {{"north", 0.0}, {"east", 90.0}, {"south", 180.0}, {"west", 270.0}}};
+  const StudyValue* value = table.find("direction");
+  if (value == nullptr) return;
+  if (value->kind == StudyValue::Kind::kText) {
+    grid.direction = value->text;
+    grid.cylindrical = value->text == "cylindrical";
+    for (const auto& [word, azimuth_deg] : kCompass)
+      if (value->text == word) grid.look = towards(azimuth_deg, north_deg);
+    return;
+  }
+  const auto v = numbers_of(*value, 3, "direction = [0, 1, 0]");
+  const mesh::Vector look{v[0], v[1], v[2]};
+  if (!(norm(look) > 1e-12)) throw value->error("the direction of this grid is zero", "write direction = [0, 1, 0]");
+  grid.look = normalized(look);
+  grid.direction = fmt::format("[{:g}, {:g}, {:g}]", v[0], v[1], v[2]);
+}
+
+void read_modelling(const StudyValue& table, lighting::GridRequest& grid) {
+  grid.modelling = flag_or(table, "modelling", false);
+  if (grid.modelling && grid.direction != "surface")
+    throw table.find("modelling")->error("modelling is told of level sensors", "leave out direction");
+}
+
 /// Whether nobody asked for this grid, but at most for its spacing and the like on the command line: each room gets one then.
 bool is_default(const StudyValue& grid) {
   const bool in_study = !grid.file.empty() && !grid.file.starts_with("--set ");
@@ -108,6 +141,8 @@ void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study
       read_layout(table, study.model, grid);
       grid.by_room = is_default(table);
     }
+    read_direction(table, study.north_deg, grid);
+    read_modelling(table, grid);
     study.grids.push_back(std::move(grid));
   }
 }

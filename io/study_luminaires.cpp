@@ -19,7 +19,6 @@ using lighting::Photometry;
 using mesh::Point;
 using mesh::Vector;
 
-constexpr double kFarthestM = 1e7;     // no building lies farther out
 constexpr double kMostOfOne = 10'000;  // luminaires along a side of an array
 
 /// What a photometric file gives, read once however many luminaires it stands for.
@@ -42,19 +41,6 @@ class LuminairesReader {
   lighting::Study& study_;
   std::map<std::pair<std::string, std::size_t>, LuminaireType> types_;
 };
-
-/// So many numbers.
-std::vector<double> numbers_of(const StudyValue& list, std::size_t count, std::string_view form) {
-  std::vector<double> numbers;
-  for (const StudyValue& item : list.children) {
-    if (item.is_number() && std::abs(item.number) <= kFarthestM) numbers.push_back(item.number);
-  }
-  if (numbers.size() != count || list.children.size() != count)
-    throw list.error(
-        fmt::format("{} is {}, expected {} numbers", list.key.empty() ? "a place" : list.key, describe(list), count),
-        fmt::format("write {}", form));
-  return numbers;
-}
 
 const LuminaireType& LuminairesReader::type_of(const StudyValue& table) {
   const StudyValue* file = table.find("photometry");
@@ -124,6 +110,7 @@ void LuminairesReader::read(const StudyValue& table) {
   luminaire.name = printable(table.find("photometry")->text);
   luminaire.web = type.web;
   luminaire.opening = type.photometry.opening;
+  luminaire.power_w = type.photometry.power_w;
   luminaire.axes = lighting::luminaire_axes(direction, number_or(table, "rotate", 0.0));
   luminaire.group = text_or(table, "group", "lamps");
   luminaire.factor = number_or(table, "maintenance", 0.8) * number_or(table, "dimming", 1.0);

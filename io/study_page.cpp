@@ -85,6 +85,8 @@ std::string value_text(const StudyKey& key) {
       return "date and time";
     case ValueType::kNumbers:
       return "list of numbers";
+    case ValueType::kNumbersOrWord:
+      return "list of numbers, or " + words_text(key.words);
   }
   return {};
 }

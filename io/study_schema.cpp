@@ -438,6 +438,22 @@ constexpr StudyKey kKeys[] = {
      .high = 100.0,
      .words = "auto"},
 
+    {.path = "grids[].direction",
+     .type = kNumbersOrWord,
+     .fallback = "\"surface\"",
+     .meaning = "Which light the sensors receive. surface: that on a plane as the surface lies, or as the file of "
+                "points says; north, east, "
+                "south, west: that on an upright plane that looks there; cylindrical: the mean over all upright "
+                "planes; `[x, y, z]`: that on "
+                "a plane that looks this way, in the model's coordinates.",
+     .words = "surface cylindrical north east south west"},
+    {.path = "grids[].modelling",
+     .type = kBoolean,
+     .fallback = "false",
+     .meaning = "Whether the cylindrical illuminance in the places of the sensors, and modelling, its ratio to their "
+                "own, are told too "
+                "(columns `cylindrical_lux`, `cylindrical_error_lux`, `modelling`). For level sensors."},
+
     {.path = "mesh", .type = kTable, .meaning = "The elements of the surfaces."},
     {.path = "mesh.discontinuities",
      .type = kWord,

@@ -30,7 +30,8 @@ enum class ValueType {
   kReflectance,  ///< a number, or three for red, green and blue
   kShare,        ///< a number, or a text in per cent: "2%"
   kDate,
-  kNumbers,  ///< a list of numbers, or of such lists
+  kNumbers,        ///< a list of numbers, or of such lists
+  kNumbersOrWord,  ///< a list of numbers, or one of the key's words
 };
 
 /// One key of the study file. This table is what the reader checks against, takes defaults from, and what docs/study-file.md

@@ -4,10 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/words.h"
 
 namespace clerestory::io {
+
+namespace {
+
+constexpr double kFarthest = 1e7;  // metres: no building lies farther out
+
+}  // namespace
 
 const StudyValue* StudyValue::find(std::string_view name) const {
   if (kind != Kind::kTable) return nullptr;
@@ -36,6 +43,18 @@ std::string text_or(const StudyValue& table, std::string_view name, std::string_
 bool flag_or(const StudyValue& table, std::string_view name, bool fallback) {
   const StudyValue* value = table.find(name);
   return value != nullptr && value->kind == StudyValue::Kind::kBoolean ? value->boolean : fallback;
+}
+
+std::vector<double> numbers_of(const StudyValue& list, std::size_t count, std::string_view form) {
+  std::vector<double> numbers;
+  for (const StudyValue& item : list.children) {
+    if (item.is_number() && std::abs(item.number) <= kFarthest) numbers.push_back(item.number);
+  }
+  if (numbers.size() != count || list.children.size() != count)
+    throw list.error(
+        fmt::format("{} is {}, expected {} numbers", list.key.empty() ? "a place" : list.key, describe(list), count),
+        fmt::format("write {}", form));
+  return numbers;
 }
 
 std::string describe(const StudyValue& value) {

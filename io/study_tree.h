@@ -40,6 +40,11 @@ double number_or(const StudyValue& table, std::string_view name, double fallback
 std::string text_or(const StudyValue& table, std::string_view name, std::string_view fallback);
 bool flag_or(const StudyValue& table, std::string_view name, bool fallback);
 
+/// A list of so many numbers, none beyond 10,000 km.
+/// @param form  how to write it, for the message
+/// Throws InputError for any other.
+std::vector<double> numbers_of(const StudyValue& list, std::size_t count, std::string_view form);
+
 /// How a message repeats a value: 1.2, "text", true, "a table", "a list of 3".
 std::string describe(const StudyValue& value);
 

@@ -48,6 +48,9 @@ Json grid_summary(const lighting::GridResult& grid) {
                        {"minimum_lux", m.minimum_lux},
                        {"maximum_lux", m.maximum_lux},
                        {"uniformity", m.uniformity}}));
+  json["direction"] = grid.direction;
+  if (!grid.cylindrical_lux.empty())
+    json.update(numbers({{"mean_cylindrical_lux", m.mean_cylindrical_lux}, {"mean_modelling", m.mean_modelling}}));
   if (m.has_daylight_factor)
     json.update(numbers({{"mean_daylight_factor_percent", m.mean_df_percent},
                          {"median_daylight_factor_percent", m.median_df_percent},

@@ -248,6 +248,11 @@ void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& 
     cells->SetActiveScalars("daylight_factor_percent");
     units.emplace_back("daylight_factor_percent: % of the unobstructed horizontal illuminance");
   }
+  if (!grid.cylindrical_lux.empty()) {
+    cells->AddArray(numbers<vtkFloatArray>("cylindrical_lux", grid.cylindrical_lux));
+    cells->AddArray(numbers<vtkFloatArray>("cylindrical_error_lux", grid.cylindrical_error_lux));
+    cells->AddArray(numbers<vtkFloatArray>("modelling", modelling_of(grid)));
+  }
   for (const lighting::GroupColumn& group : grid.groups) {
     const std::string name = column_word(group.name);
     cells->AddArray(numbers<vtkFloatArray>(("illuminance_lux_" + name).c_str(), group.illuminance_lux));

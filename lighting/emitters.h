@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lighting/receiver.h"
 #include "lighting/seen_factor.h"
 #include "lighting/solution.h"
 #include "mesh/ids.h"
@@ -25,18 +26,18 @@ struct EmitterView {
   double factor = 0.0;
   mesh::Visibility visibility = mesh::Visibility::kHidden;
 };
-EmitterView look(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const mesh::Vector& normal);
+EmitterView look(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const Receiver& receiver);
 
 /// What the point sees of an emitter, given the view of it: by clipping, where that proves neither that all of it is seen nor that none is.
 SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const EmitterView& view, const mesh::Point& at,
-                       const mesh::Vector& normal);
+                       const Receiver& receiver);
 
 /// A ray from a point to one place on an emitter: the kernel of the form factor there [1/m²], and the share of it that arrives.
 struct EmitterSample {
   double kernel = 0.0;
   double passed = 0.0;
 };
-EmitterSample sample(const Solution& solution, const Emitter& emitter, const mesh::Point& at,
-                     const mesh::Vector& normal, double a, double b);
+EmitterSample sample(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const Receiver& receiver,
+                     double a, double b);
 
 }  // namespace clerestory::lighting

@@ -171,22 +171,23 @@ class Gatherer {
 
   /// @param at  the sensor, lifted off what it may stand on
   /// @param roughly  with the fewest rays
-  [[nodiscard]] SensorState begin(std::size_t sensor, const Point& at, const Vector& normal, bool roughly) const {
+  [[nodiscard]] SensorState begin(std::size_t sensor, const Point& at, const Receiver& receiver, bool roughly) const {
     SensorState state;
     const std::uint32_t rays = roughly ? 1 : first_rays_;
     GroupSums exact(scene().groups);
-    for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k) see_emitter(k, rays, sensor, at, normal, state, exact);
-    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, normal, kFineMean, 1.0, exact);
+    for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k)
+      see_emitter(k, rays, sensor, at, receiver, state, exact);
+    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, receiver, kFineMean, 1.0, exact);
     state.exact_lux += by_luminaires.value;
-    see_sun(rays, sensor, at, normal, state, exact);
+    see_sun(rays, sensor, at, receiver, state, exact);
     state.exact = exact.lit();
-    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, normal, state);
+    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, receiver, state);
     Part hemisphere;
     ErrorSums wrong{};
-    extend(hemisphere, rays, sensor, at, normal, &wrong);
+    extend(hemisphere, rays, sensor, at, receiver, &wrong);
     // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
     while (!roughly && hemisphere.lit() < kReplicates / 2 && hemisphere.rays < kMostDarkRays) {
-      extend(hemisphere, 2 * hemisphere.rays, sensor, at, normal, nullptr);
+      extend(hemisphere, 2 * hemisphere.rays, sensor, at, receiver, nullptr);
     }
     state.parts.push_back(hemisphere);
     state.discretisation_lux = std::hypot(discretisation(wrong, rays * kReplicates), by_luminaires.error);
@@ -195,12 +196,12 @@ class Gatherer {
 
   /// Samples on until the error is under the goal [lux], or it is time to finish.
   template <class ShouldFinish>
-  void improve(SensorState& state, double goal_lux, std::size_t sensor, const Point& at, const Vector& normal,
+  void improve(SensorState& state, double goal_lux, std::size_t sensor, const Point& at, const Receiver& receiver,
                const ShouldFinish& should_finish) const {
     for (Part& p : state.parts) {
       while (p.clear && !should_finish() && p.rays < kMostClearRays &&
              kStudent * std::sqrt(p.variance()) > kClearShare * goal_lux) {
-        extend(p, 2 * p.rays, sensor, at, normal, nullptr);
+        extend(p, 2 * p.rays, sensor, at, receiver, nullptr);
       }
     }
     while (state.cautious_error() > goal_lux && !should_finish()) {
@@ -215,51 +216,51 @@ class Gatherer {
         }
       }
       if (best == nullptr) return;
-      extend(*best, 2 * best->rays, sensor, at, normal, nullptr);
+      extend(*best, 2 * best->rays, sensor, at, receiver, nullptr);
     }
   }
 
  private:
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
 
-  static bool faces_opening(const Opening& opening, const Point& at, const Vector& normal) {
+  static bool faces_opening(const Opening& opening, const Point& at, const Receiver& receiver) {
     if (dot(opening.triangles[0][0] - at, opening.outward) <= 0.0) return false;
     for (const auto& t : opening.triangles) {
       for (const Point& p : t) {
-        if (dot(p - at, normal) > 0.0) return true;
+        if (receiver.kernel(p - at) > 0.0) return true;
       }
     }
     return false;
   }
 
-  void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Vector& normal,
+  void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Receiver& receiver,
               ErrorSums* wrong) const {
     PartTaker taker{&solution_, wrong != nullptr ? &errors_ : nullptr, wrong, &part};
-    rays_.cast(part, until, {sensor, at, normal}, taker);
+    rays_.cast(part, until, {sensor, at, receiver}, taker);
     part.rays = until;
   }
 
-  void see_sun(std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal, SensorState& state,
+  void see_sun(std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver, SensorState& state,
                GroupSums& exact) const {
     const Sun& sun = scene().sky.sun;
     if (!sun.shines()) return;
     if (!sun.disc) {
-      const double lux = sun_illuminance(scene(), at, normal);
+      const double lux = sun_illuminance(scene(), at, receiver);
       state.exact_lux += lux;
       exact.add(scene().groups.of_sun(), lux);
       return;
     }
     Part part;
     part.kind = Part::Kind::kSun;
-    extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
+    extend(part, std::max(4U, rays), sensor, at, receiver, nullptr);
     state.parts.push_back(part);
   }
 
-  void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
+  void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
                    SensorState& state, GroupSums& exact) const {
     const Emitter& emitter = rays_.emitters()[k];
-    const EmitterView view = look(solution_, emitter, at, normal);
-    const SeenFactor seen = seen_factor(solution_, emitter, view, at, normal);
+    const EmitterView view = look(solution_, emitter, at, receiver);
+    const SeenFactor seen = seen_factor(solution_, emitter, view, at, receiver);
     if (seen.exact) {
       state.exact_lux += emitter.exitance * seen.factor;
       exact.add(scene().side_group[solution_.tree().face_side(emitter.root).index()], emitter.exitance * seen.factor);
@@ -270,20 +271,20 @@ class Gatherer {
     part.which = k;
     part.full_lux = emitter.exitance * view.factor;
     part.most_lux = emitter.exitance * seen.factor;
-    extend(part, std::max(8U, rays), sensor, at, normal, nullptr);
+    extend(part, std::max(8U, rays), sensor, at, receiver, nullptr);
     state.parts.push_back(part);
   }
 
-  void see_opening(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Vector& normal,
+  void see_opening(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
                    SensorState& state) const {
     const Opening& opening = scene().openings[k];
-    if (!faces_opening(opening, at, normal)) return;
+    if (!faces_opening(opening, at, receiver)) return;
     Part part;
     part.kind = Part::Kind::kOpening;
     part.which = k;
-    extend(part, std::max(4U, rays), sensor, at, normal, nullptr);
+    extend(part, std::max(4U, rays), sensor, at, receiver, nullptr);
     if (part.lit() == 0) {
-      part.most_lux = most_through(scene(), opening_ends_[k], at, normal);
+      part.most_lux = most_through(scene(), opening_ends_[k], at, receiver);
       if (part.most_lux <= 0.0) return;
     }
     const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
@@ -320,29 +321,35 @@ void for_sensors(std::size_t count, Progress& progress, const Body& body) {
 
 }  // namespace
 
-Gathered gather(const Solution& solution, const SolutionErrors& errors, std::span<const Point> positions,
-                std::span<const Vector> normals, double accuracy, std::uint64_t seed, Progress& progress) {
-  const std::size_t count = positions.size();
+Gathered gather(const Solution& solution, const SolutionErrors& errors, const SensorSet& sensors, double accuracy,
+                std::uint64_t seed, Progress& progress) {
+  const std::size_t count = sensors.count();
   const Gatherer gatherer(solution, errors, accuracy, seed);
   std::vector<Point> lifted(count);
-  for (std::size_t i = 0; i < count; ++i) lifted[i] = positions[i] + solution.scene().rays->offset_m() * normals[i];
+  for (std::size_t i = 0; i < count; ++i)
+    lifted[i] = sensors.positions[i] + solution.scene().rays->offset_m() * sensors.axes[i];
   std::vector<SensorState> states(count);
   PhasePart beginning(progress, 0.0, kShareOfBeginnings);
   for_sensors(count, beginning, [&](std::size_t i, const auto& should_finish) {
-    states[i] = gatherer.begin(i, lifted[i], normals[i], should_finish());
+    states[i] = gatherer.begin(i, lifted[i], sensors.receiver(i), should_finish());
   });
   double mean = 0.0;
   for (const SensorState& s : states) mean += s.mean() / static_cast<double>(count);
   PhasePart improving(progress, kShareOfBeginnings, 1.0);
   for_sensors(count, improving, [&](std::size_t i, const auto& should_finish) {
     const double level = std::max(states[i].mean(), kDarkShare * mean);
-    gatherer.improve(states[i], sampling_goal(states[i], accuracy * level), i, lifted[i], normals[i], should_finish);
+    gatherer.improve(states[i], sampling_goal(states[i], accuracy * level), i, lifted[i], sensors.receiver(i),
+                     should_finish);
   });
   Gathered result;
   for (const SensorState& s : states) {
     const double sampling = s.sampling_error();
     result.illuminance_lux.push_back(static_cast<float>(s.mean()));
     result.error_lux.push_back(static_cast<float>(std::hypot(sampling, s.discretisation_lux)));
+    const ReplicateMean around = s.parts.back().estimate();
+    result.indirect_lux.push_back(static_cast<float>(around.mean));
+    result.indirect_error_lux.push_back(
+        static_cast<float>(std::hypot(kStudent * around.standard_error(), s.discretisation_lux)));
     if (!solution.scene().groups.has_columns()) continue;
     SensorRecord record;
     record.parts.assign(s.parts.begin(), s.parts.end());

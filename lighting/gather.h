@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lighting/channels.h"
+#include "lighting/receiver.h"
 #include "lighting/sensor_rays.h"
 #include "lighting/solution.h"
 #include "lighting/solution_errors.h"
@@ -24,15 +24,17 @@ struct SensorRecord {
 struct Gathered {
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;
+  /// Of illuminance_lux what surfaces send that is not their own light, and the sky by unmarked holes; and its error.
+  std::vector<float> indirect_lux;
+  std::vector<float> indirect_error_lux;
   std::vector<SensorRecord> records;  ///< where groups are told apart
 };
 
 /// Evaluates the solution at sensors: emitting surfaces and point sources straight, openings by solid angle, all else over the
 /// cosine-weighted hemisphere, each path once. Samples until the sampling error of every sensor is under its share of the
 /// accuracy, a cap on rays is met, or the progress says that it should finish; what remains stands in error_lux.
-/// @param errors              of the solution
-/// @param positions, normals  local coordinates
-Gathered gather(const Solution& solution, const SolutionErrors& errors, std::span<const mesh::Point> positions,
-                std::span<const mesh::Vector> normals, double accuracy, std::uint64_t seed, Progress& progress);
+/// @param errors  of the solution
+Gathered gather(const Solution& solution, const SolutionErrors& errors, const SensorSet& sensors, double accuracy,
+                std::uint64_t seed, Progress& progress);
 
 }  // namespace clerestory::lighting

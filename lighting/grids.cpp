@@ -245,14 +245,26 @@ std::vector<NamedSensors> place_by_room(const GridSite& site, const GridRequest&
   return grids;
 }
 
+/// Lets sensors look where the request wants them to.
+void turn(const GridRequest& request, Sensors& sensors) {
+  sensors.cylinders = request.cylindrical;
+  if (request.cylindrical) std::ranges::fill(sensors.normals, mesh::Vector{0.0, 0.0, 1.0});
+  if (request.look) std::ranges::fill(sensors.normals, *request.look);
+}
+
 }  // namespace
 
 std::vector<NamedSensors> place_sensors(const GridRequest& request, const SensorPlaces& places,
                                         std::vector<std::string>& notices) {
   check(request);
   const GridSite site(places);
-  if (request.by_room) return place_by_room(site, request, notices);
-  return {{request.name, place_one(site, request)}};
+  std::vector<NamedSensors> grids;
+  if (request.by_room)
+    grids = place_by_room(site, request, notices);
+  else
+    grids.push_back({request.name, place_one(site, request)});
+  for (NamedSensors& grid : grids) turn(request, grid.sensors);
+  return grids;
 }
 
 }  // namespace clerestory::lighting

@@ -37,7 +37,7 @@ struct NamedSensors {
 /// length by the spacing, rounded, and their size follows. A sensor belongs when its place on the surface lies inside of the outline
 /// and the margin away from it; furniture, columns and partitions standing free are not part of the outline. A room that an automatic
 /// margin leaves no sensor gets one in the middle. Sensors inside solids are left out and counted. Given points are used as they are;
-/// they have cells when they form a lattice.
+/// they have cells when they form a lattice. Where the request asks for another direction than the surface's, they stand in the same places.
 /// @param notices  receives a sentence on rooms that have no grid
 /// Throws InputError when no surface fits the request (naming what there is), or no sensor is left.
 std::vector<NamedSensors> place_sensors(const GridRequest& request, const SensorPlaces& places,

@@ -175,18 +175,18 @@ class GroupGatherer {
 }  // namespace
 
 std::vector<GroupColumn> gather_groups(const Solution& solution, const GroupRadiosity& radiosity,
-                                       const Gathered& gathered, std::span<const Point> positions,
-                                       std::span<const Vector> normals, std::uint64_t seed) {
+                                       const Gathered& gathered, const SensorSet& sensors, std::uint64_t seed) {
   const SourceGroups& groups = solution.scene().groups;
   std::vector<GroupColumn> columns;
   for (std::size_t c = 0; c < groups.column_count(); ++c)
     columns.push_back(
-        {groups.column_name(c), std::vector<float>(positions.size()), std::vector<float>(positions.size())});
+        {groups.column_name(c), std::vector<float>(sensors.count()), std::vector<float>(sensors.count())});
   const GroupGatherer gatherer(solution, radiosity, seed);
   const double lift = solution.scene().rays->offset_m();
-  parallel_for(positions.size(), [&](std::size_t i) {
+  parallel_for(sensors.count(), [&](std::size_t i) {
     const SensorRecord& record = gathered.records[i];
-    const SensorGroups own = gatherer.gather(record, {i, positions[i] + lift * normals[i], normals[i]});
+    const SensorGroups own =
+        gatherer.gather(record, {i, sensors.positions[i] + lift * sensors.axes[i], sensors.receiver(i)});
     const double all = gathered.illuminance_lux[i];
     for (std::size_t g = 0; g < columns.size(); ++g) {
       const double lux = std::max(0.0, own.mean[g]);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lighting/channel_solver.h"
@@ -15,10 +14,8 @@ namespace clerestory::lighting {
 /// off at zero, so is that of the groups: they add up to it.
 /// Errors: sampling by the spread of the rays' replicates, a group each; what the solution's errors make is independent from ray to ray
 /// and link to link, so that its variance is shared out as the light is (docs/theory/channels.md).
-/// @param gathered            of the same sensors and seed
-/// @param positions, normals  local coordinates
+/// @param gathered  of the same sensors and seed
 std::vector<GroupColumn> gather_groups(const Solution& solution, const GroupRadiosity& radiosity,
-                                       const Gathered& gathered, std::span<const mesh::Point> positions,
-                                       std::span<const mesh::Vector> normals, std::uint64_t seed);
+                                       const Gathered& gathered, const SensorSet& sensors, std::uint64_t seed);
 
 }  // namespace clerestory::lighting

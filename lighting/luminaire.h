@@ -19,6 +19,7 @@ struct Luminaire {
   /// Unit axes: u towards C0, v towards C90, w against γ = 0.
   mesh::Frame axes{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   double factor = 1.0;          ///< on the web's intensities: maintenance, dimming, tilt
+  double power_w = 0.0;         ///< undimmed; 0 where it is not stated
   std::string group = "lamps";  ///< whose light may be told apart (lighting/channels.h)
 
   [[nodiscard]] double flux_lm() const { return factor * web->flux_lm(); }

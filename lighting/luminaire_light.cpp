@@ -83,13 +83,13 @@ Way way(const Lit& lit, const Point& start, const Point& to, mesh::FaceId until)
 }
 
 /// Illuminance by one place of a luminous opening, as if all of the luminaire's light came from there.
-double from_place(const Luminaire& luminaire, const Point& place, const Point& at, const Vector& normal) {
+double from_place(const Luminaire& luminaire, const Point& place, const Point& at, const Receiver& receiver) {
   const Vector d = place - at;
   const double distance2 = dot(d, d);
-  const double cosine = dot(d, normal);
-  if (cosine <= 0.0 || distance2 <= 0.0) return 0.0;
+  const double kernel = receiver.kernel(d);
+  if (kernel <= 0.0 || distance2 <= 0.0) return 0.0;
   const double distance = std::sqrt(distance2);
-  return luminaire.intensity_cd(-d / distance) * cosine / (distance2 * distance);
+  return luminaire.intensity_cd(-d / distance) * kernel / (distance2 * distance);
 }
 
 /// Whether a luminaire is near enough for its opening to be more than a point.
@@ -97,16 +97,16 @@ bool is_near(const Luminaire& luminaire, const Point& at) {
   return norm(luminaire.at - at) < kFarInSizes * luminaire.opening.size_m();
 }
 
-AreaMean straight(const Lit& lit, const Point& at, const Vector& normal, double tolerance) {
+AreaMean straight(const Lit& lit, const Point& at, const Receiver& receiver, double tolerance) {
   if (is_near(lit.luminaire, at)) {
-    const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, normal); };
+    const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, receiver); };
     if (const auto parts = seen_opening(lit.scene, lit.luminaire, lit.flush, at))
       return MeanOverParts(lit.luminaire, open, tolerance).mean(*parts);
   }
   return mean_over_opening(
       lit.luminaire, at,
       [&](const Point& place) {
-        const double lux = from_place(lit.luminaire, place, at, normal);
+        const double lux = from_place(lit.luminaire, place, at, receiver);
         return lux > 0.0 ? lux * way(lit, at, place, {}).passed : 0.0;
       },
       tolerance);
@@ -146,7 +146,7 @@ bool may_mirror(const mesh::Faces& faces, const mesh::Face& pane, const Luminair
 
 /// By one reflection in the pane of a face.
 /// @param little  where all of the image gives less, its middle stands for it [lux]
-AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vector& normal, double tolerance,
+AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Receiver& receiver, double tolerance,
                   double little) {
   const Scene& scene = lit.scene;
   const mesh::Face& pane = scene.faces.faces[face.index()];
@@ -159,7 +159,7 @@ AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vect
   image.axes = {mirror.of(image.axes.u), mirror.of(image.axes.v), mirror.of(image.axes.w)};
   if (!may_mirror(scene.faces, pane, image, at)) return {};
   const auto from = [&](const Point& place) {
-    const double lux = from_place(image, place, at, normal);
+    const double lux = from_place(image, place, at, receiver);
     if (lux <= 0.0) return 0.0;
     const Way to_pane = way(lit, at, place, face);
     if (!to_pane.met) return 0.0;
@@ -170,8 +170,8 @@ AreaMean mirrored(const Lit& lit, mesh::FaceId face, const Point& at, const Vect
   };
   const double cosine = std::abs(dot(normalized(image.at - at), mirror.w));
   const auto& curves = scene.glazings[static_cast<std::size_t>(scene.glazing_of[face.index()])];
-  const double most =
-      from_place(image, image.at, at, normal) * mesh::transmittance_at(curves.reflectance, static_cast<float>(cosine));
+  const double most = from_place(image, image.at, at, receiver) *
+                      mesh::transmittance_at(curves.reflectance, static_cast<float>(cosine));
   if (most < little) {
     const double middle = from(image.at);
     return {middle, 0.5 * std::max(middle, most)};
@@ -203,12 +203,12 @@ double luminaire_glance(const Scene& scene, const Point& at, const Vector& norma
   return sum;
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double tolerance) {
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, double tolerance) {
   GroupSums none;
-  return luminaire_illuminance(scene, at, normal, tolerance, 0.0, none);
+  return luminaire_illuminance(scene, at, receiver, tolerance, 0.0, none);
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector& normal, double tolerance,
+AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, double tolerance,
                                double share, GroupSums& groups) {
   AreaMean sum;
   const auto add_to_group = [&](std::size_t k, const AreaMean& light) {
@@ -216,12 +216,12 @@ AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Vector
     groups.add(scene.luminaire_group[k], share * light.value);
   };
   const auto lit = [&](std::size_t k) { return Lit{scene, scene.luminaires[k], scene.flush_faces[k]}; };
-  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_to_group(k, straight(lit(k), at, normal, tolerance));
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_to_group(k, straight(lit(k), at, receiver, tolerance));
   if (scene.luminaires.empty()) return sum;
   const double little = tolerance * sum.value;
   for (const mesh::FaceId pane : scene.panes) {
     for (std::size_t k = 0; k < scene.luminaires.size(); ++k)
-      add_to_group(k, mirrored(lit(k), pane, at, normal, tolerance, little));
+      add_to_group(k, mirrored(lit(k), pane, at, receiver, tolerance, little));
   }
   return sum;
 }

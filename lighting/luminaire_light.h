@@ -3,6 +3,7 @@
 
 #include "lighting/luminaire_view.h"
 #include "lighting/luminous_area.h"
+#include "lighting/receiver.h"
 #include "lighting/scene.h"
 #include "mesh/geometry.h"
 
@@ -17,10 +18,10 @@ double luminaire_glance(const Scene& scene, const mesh::Point& at, const mesh::V
 /// Illuminance by all luminaires of a scene at a point off its surfaces [lux]: straight, through panes and openings, and by one
 /// reflection in each pane, as of the luminaire's image behind it.
 /// @param tolerance  share of each luminaire's light that may be missed where its opening is near and flat (lighting/luminaire_view.h)
-AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double tolerance);
+AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const Receiver& receiver, double tolerance);
 
 /// The same; the groups of the luminaires are given a share of it.
-AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double tolerance,
+AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const Receiver& receiver, double tolerance,
                                double share, GroupSums& groups);
 
 }  // namespace clerestory::lighting

@@ -39,18 +39,34 @@ double relative_error(double error, double value, double mean) {
   return against > 0.0 ? error / against : 1.0;
 }
 
-void judge_accuracy(const GridResult& grid, double target, GridMetrics& metrics) {
+/// How good values are; a grid is as good as the worst of its columns.
+void judge_accuracy(const std::vector<float>& values, const std::vector<float>& errors, double target,
+                    GridMetrics& metrics) {
   double squares = 0.0;
   std::size_t within = 0;
-  for (std::size_t i = 0; i < grid.illuminance_lux.size(); ++i) {
-    const double relative = relative_error(grid.error_lux[i], grid.illuminance_lux[i], metrics.mean_lux);
+  const double mean = mean_of(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double relative = relative_error(errors[i], values[i], mean);
     squares += relative * relative;
     if (relative <= 2.0 * target) ++within;
   }
-  const auto count = static_cast<double>(grid.illuminance_lux.size());
-  metrics.accuracy_reached = std::sqrt(squares / count);
-  metrics.share_within_twice = static_cast<double>(within) / count;
+  const auto count = static_cast<double>(values.size());
+  metrics.accuracy_reached = std::max(metrics.accuracy_reached, std::sqrt(squares / count));
+  metrics.share_within_twice = std::min(metrics.share_within_twice, static_cast<double>(within) / count);
   metrics.accuracy_met = metrics.accuracy_reached <= target && metrics.share_within_twice >= kShareWithinTwice;
+}
+
+void add_cylindrical(const GridResult& grid, double target, GridMetrics& metrics) {
+  metrics.mean_cylindrical_lux = mean_of(grid.cylindrical_lux);
+  double sum = 0.0;
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < grid.cylindrical_lux.size(); ++i) {
+    if (grid.illuminance_lux[i] <= 0.0F) continue;
+    sum += grid.cylindrical_lux[i] / grid.illuminance_lux[i];
+    ++lit;
+  }
+  metrics.mean_modelling = lit > 0 ? sum / static_cast<double>(lit) : 0.0;
+  judge_accuracy(grid.cylindrical_lux, grid.cylindrical_error_lux, target, metrics);
 }
 
 void add_daylight_factors(const std::vector<float>& factors, GridMetrics& metrics) {
@@ -78,7 +94,8 @@ GridMetrics grid_metrics(const GridResult& grid, double accuracy_target) {
   metrics.minimum_lux = low;
   metrics.maximum_lux = high;
   metrics.uniformity = metrics.mean_lux > 0.0 ? metrics.minimum_lux / metrics.mean_lux : 0.0;
-  judge_accuracy(grid, accuracy_target, metrics);
+  judge_accuracy(values, grid.error_lux, accuracy_target, metrics);
+  if (!grid.cylindrical_lux.empty()) add_cylindrical(grid, accuracy_target, metrics);
   if (!grid.daylight_factor_percent.empty()) add_daylight_factors(grid.daylight_factor_percent, metrics);
   return metrics;
 }

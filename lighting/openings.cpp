@@ -120,8 +120,8 @@ void find_openings(Scene& scene) {
   scene.rays->set_passages(std::move(passages), std::move(curves));
 }
 
-double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at, const Vector& normal) {
-  const SeenFactor seen = seen_factor(*scene.shafts, at, normal, opening);
+double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at, const Receiver& receiver) {
+  const SeenFactor seen = seen_factor(*scene.shafts, at, receiver, opening);
   if (seen.factor <= 0.0) return 0.0;
   const Point middle = opening.corners[0] + 0.5 * (opening.corners[2] - opening.corners[0]);
   return seen.factor * std::numbers::pi * sky_luminance(scene.sky, normalized(middle - at));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lighting/receiver.h"
 #include "lighting/scene.h"
 
 namespace clerestory::lighting {
@@ -14,7 +15,6 @@ mesh::ShaftEnd shaft_end(const Opening& opening);
 
 /// What an opening gives a point if all of it that is not proven hidden shows the sky, or the ground below [lux].
 /// @param opening  shaft_end() of it
-double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const mesh::Point& at,
-                    const mesh::Vector& normal);
+double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const mesh::Point& at, const Receiver& receiver);
 
 }  // namespace clerestory::lighting

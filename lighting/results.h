@@ -10,6 +10,7 @@
 
 #include "lighting/energy_balance.h"
 #include "lighting/stored_solution.h"
+#include "lighting/study.h"
 #include "mesh/clean.h"
 #include "mesh/discontinuity_selection.h"
 #include "mesh/faces.h"
@@ -29,6 +30,8 @@ struct Sensors {
   std::size_t left_out = 0;  ///< sensors inside solids
   /// The number of each sensor, from 0: for given points the place in their file, where those left out keep theirs.
   std::vector<std::uint32_t> ids;
+  /// Whether they are upright cylinders, whose axes the normals are, and their light is the cylindrical illuminance.
+  bool cylinders = false;
 
   [[nodiscard]] std::size_t count() const { return positions.size(); }
 };
@@ -43,6 +46,8 @@ struct GridMetrics {
   double accuracy_reached = 0.0;    ///< RMS of error / max(E, 5 % of the mean)
   double share_within_twice = 1.0;  ///< of sensors whose error is at most twice the target
   bool accuracy_met = false;
+  double mean_cylindrical_lux = 0.0;  ///< where it is asked for
+  double mean_modelling = 0.0;        ///< of cylindrical by own illuminance, where there is light
   bool has_daylight_factor = false;
   double mean_df_percent = 0.0;
   double median_df_percent = 0.0;
@@ -64,10 +69,78 @@ struct GridResult {
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;                ///< standard uncertainty, k = 1
   std::vector<float> daylight_factor_percent;  ///< empty unless a daylight study
-  std::vector<GroupColumn> groups;             ///< where they are asked for; they add up to illuminance_lux
+  std::string direction = "surface";           ///< which light the sensors receive, in the study's word
+  /// Cylindrical illuminance in the same places and its error; empty where not asked for.
+  std::vector<float> cylindrical_lux;
+  std::vector<float> cylindrical_error_lux;
+  std::vector<GroupColumn> groups;  ///< where they are asked for; they add up to illuminance_lux
   /// Where in the plane of the sensors the sky just goes out of sight by an opening [m, model coordinates].
   std::vector<std::array<mesh::Point, 2>> no_sky;
   GridMetrics metrics;
+};
+
+/// What an observer sees of the luminaires.
+struct ObserverResult {
+  Observer observer;
+  std::string room;        ///< empty where none is known
+  double ugr = 0.0;        ///< minus infinity where nothing glares
+  double ugr_error = 0.0;  ///< standard uncertainty (k = 1), by that of the background
+  double background_cd_m2 = 0.0;
+  double indirect_lux = 0.0;     ///< vertical at the eye
+  std::size_t glaring = 0;       ///< luminaires and surfaces that shine towards the eye, before the observer
+  std::size_t small = 0;         ///< of them, those under 0.0003 sr
+  std::size_t large = 0;         ///< and those over 0.1 sr: CIE 117 is not made for either
+  std::size_t without_area = 0;  ///< luminaires without a luminous area, left out
+};
+
+/// What a task asks for and has.
+struct Criterion {
+  enum class Verdict { kPass, kFail, kUndecided };
+
+  std::string what;  ///< "maintained mean of the task area" …
+  std::string unit;  ///< "lx", or empty
+  double required = 0.0;
+  bool at_most = false;  ///< required is the most, else the least
+  double found = 0.0;
+  double error = 0.0;  ///< standard uncertainty (k = 1)
+  Verdict verdict = Verdict::kUndecided;
+};
+
+/// A task in a room, judged.
+struct TaskResult {
+  std::string name;
+  std::string task;  ///< that is done, with its reference in the standard
+  std::string room;
+  std::vector<std::string> grids;
+  std::vector<std::string> observers;
+  std::vector<Criterion> criteria;
+  std::vector<std::string> remarks;  ///< one sentence each
+  Criterion::Verdict verdict = Criterion::Verdict::kUndecided;
+};
+
+/// Luminaires of one kind and group.
+struct LuminaireUse {
+  std::string name;
+  std::string group;
+  std::size_t count = 0;
+  double flux_lm = 0.0;  ///< of all of them, maintained and dimmed
+  double power_w = 0.0;  ///< of all of them undimmed; 0 where the file does not state it
+};
+
+/// The installed power of a room.
+struct RoomPower {
+  std::string room;
+  std::size_t luminaires = 0;
+  double power_w = 0.0;
+  double per_area_w_m2 = 0.0;
+};
+
+/// What a material receives and sends, of all its sides that take part.
+struct MaterialLight {
+  std::string name;
+  double area_m2 = 0.0;
+  double illuminance_lux = 0.0;  ///< mean by area
+  double luminance_cd_m2 = 0.0;
 };
 
 /// The solution on the surfaces, as triangles with their own three points each where light is discontinuous. Points of curved parts lie on
@@ -133,6 +206,11 @@ struct ShadowLines {
 /// Everything that a run found. What io writes.
 struct Results {
   std::vector<GridResult> grids;
+  std::vector<ObserverResult> observers;
+  std::vector<TaskResult> tasks;
+  std::vector<LuminaireUse> luminaires;
+  std::vector<RoomPower> room_power;  ///< of rooms with luminaires
+  std::vector<MaterialLight> material_light;
   SurfaceResult surfaces;
   std::optional<ShadowLines> shadow_lines;  ///< where they were asked for
   std::vector<mesh::Room> rooms;            ///< boxes and openings in model coordinates

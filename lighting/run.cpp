@@ -97,6 +97,22 @@ struct AllSensors {
   std::vector<mesh::Point> positions;
   std::vector<mesh::Vector> normals;
   std::vector<std::uint32_t> grids;  ///< number of each sensor's grid
+
+  void add(const Sensors& sensors, std::uint32_t grid) {
+    positions.insert(positions.end(), sensors.positions.begin(), sensors.positions.end());
+    normals.insert(normals.end(), sensors.normals.begin(), sensors.normals.end());
+    grids.resize(positions.size(), grid);
+  }
+  /// Each cylinder as one plane along it, neighbours by the golden angle apart: all together look all round.
+  void add_cylinders(const Sensors& sensors, std::uint32_t grid) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    for (std::size_t i = 0; i < sensors.count(); ++i) {
+      const double phi = kGoldenAngle * static_cast<double>(i);
+      positions.push_back(sensors.positions[i]);
+      normals.push_back({std::cos(phi), std::sin(phi), 0.0});
+    }
+    grids.resize(positions.size(), grid);
+  }
 };
 
 AllSensors place_all(const Study& study, Scene& scene, Results& results, Progress& progress) {
@@ -108,9 +124,11 @@ AllSensors place_all(const Study& study, Scene& scene, Results& results, Progres
       GridResult grid;
       grid.name = std::move(placed.name);
       grid.sensors = std::move(placed.sensors);
-      all.positions.insert(all.positions.end(), grid.sensors.positions.begin(), grid.sensors.positions.end());
-      all.normals.insert(all.normals.end(), grid.sensors.normals.begin(), grid.sensors.normals.end());
-      all.grids.resize(all.positions.size(), static_cast<std::uint32_t>(results.grids.size()));
+      grid.direction = request.direction;
+      const auto number = static_cast<std::uint32_t>(results.grids.size());
+      if (!grid.sensors.cylinders) all.add(grid.sensors, number);
+      if (grid.sensors.cylinders || request.modelling) all.add_cylinders(grid.sensors, number);
+      if (request.modelling) grid.cylindrical_lux.resize(grid.sensors.count());
       results.grids.push_back(std::move(grid));
     }
     progress.advance(++placed_requests / static_cast<double>(study.grids.size()));
@@ -128,15 +146,25 @@ void to_model(Sensors& sensors, const mesh::Vector& origin) {
   }
 }
 
+/// The cylindrical illuminance where a grid's sensors stand.
+void evaluate_cylinders(const Study& study, const Solution& solution, const SolutionErrors& errors, GridResult& grid,
+                        std::uint64_t seed, Progress& progress) {
+  const std::vector<mesh::Vector> axes(grid.sensors.count(), mesh::Vector{0.0, 0.0, 1.0});
+  const Gathered gathered =
+      gather(solution, errors, {grid.sensors.positions, axes, true}, study.accuracy.target, mesh::mix(seed), progress);
+  grid.cylindrical_lux = gathered.illuminance_lux;
+  grid.cylindrical_error_lux = gathered.error_lux;
+}
+
 /// @param groups  none where groups are not told apart
 void evaluate(const Study& study, const Solution& solution, const SolutionErrors& errors,
               const std::optional<GroupRadiosity>& groups, GridResult& grid, std::uint64_t seed, Progress& progress) {
-  const Gathered gathered =
-      gather(solution, errors, grid.sensors.positions, grid.sensors.normals, study.accuracy.target, seed, progress);
+  const SensorSet sensors{grid.sensors.positions, grid.sensors.normals, grid.sensors.cylinders};
+  const Gathered gathered = gather(solution, errors, sensors, study.accuracy.target, seed, progress);
   grid.illuminance_lux = gathered.illuminance_lux;
   grid.error_lux = gathered.error_lux;
-  if (groups)
-    grid.groups = gather_groups(solution, *groups, gathered, grid.sensors.positions, grid.sensors.normals, seed);
+  if (groups) grid.groups = gather_groups(solution, *groups, gathered, sensors, seed);
+  if (!grid.cylindrical_lux.empty()) evaluate_cylinders(study, solution, errors, grid, seed, progress);
   const double outside = study.sky.diffuse_illuminance_lux();
   if (study.kind == Study::Kind::kDaylight && outside > 0.0) {
     for (const float e : grid.illuminance_lux) {
@@ -168,7 +196,8 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
   const auto thousandths = [](double x) { return std::lround(1000.0 * x); };
   for (std::size_t i = 0; i < grid.sensors.cells.size(); ++i) {
     const mesh::Point at = grid.sensors.positions[i] - origin;
-    const mesh::Vector& n = grid.sensors.normals[i];
+    const auto& cell = grid.sensors.cells[i];
+    const mesh::Vector n = normalized(cross(cell[1] - cell[0], cell[3] - cell[0]));
     const double offset = dot(at - mesh::Point{}, n);
     if (!planes.insert({thousandths(n.x), thousandths(n.y), thousandths(n.z), thousandths(offset)}).second) continue;
     for (const mesh::NoSkySurface& surface : found.no_sky) {

@@ -36,7 +36,7 @@ void largest_first(std::vector<std::span<const Point>>& polygons) {
 
 }  // namespace
 
-SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Vector& normal,
+SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Receiver& receiver,
                        const mesh::ShaftEnd& polygon) {
   const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
   mesh::Shafts::Blockers blockers = shafts.blockers(eye, polygon, kMostBlockers);
@@ -49,7 +49,7 @@ SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Vector
   if (!parts) parts = mesh::seen_parts(at, corners, {});
   std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
   for (const mesh::ConvexPiece& part : *parts)
-    seen.factor += std::max(0.0, point_form_factor(at, normal, part.outline(scratch), polygon.normal));
+    seen.factor += std::max(0.0, receiver.form_factor(at, part.outline(scratch), polygon.normal));
   // What rounding leaves between blockers that share an edge is no sight.
   if (seen.factor <= kLeastFactor) return {};
   return seen;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lighting/receiver.h"
 #include "mesh/geometry.h"
 #include "mesh/shafts.h"
 
@@ -13,9 +14,8 @@ struct SeenFactor {
 };
 
 /// Clips a polygon by what stands before it [mesh/seen_parts.h].
-/// @param normal   unit, of the surface at the point
 /// @param polygon  counter-clockwise as seen from the tip of its normal
-SeenFactor seen_factor(const mesh::Shafts& shafts, const mesh::Point& at, const mesh::Vector& normal,
+SeenFactor seen_factor(const mesh::Shafts& shafts, const mesh::Point& at, const Receiver& receiver,
                        const mesh::ShaftEnd& polygon);
 
 }  // namespace clerestory::lighting

@@ -10,6 +10,7 @@
 #include "lighting/emitters.h"
 #include "lighting/light_paths.h"
 #include "lighting/opening_sampler.h"
+#include "lighting/receiver.h"
 #include "lighting/sampling.h"
 #include "lighting/solution.h"
 #include "lighting/sun_light.h"
@@ -38,7 +39,7 @@ struct SensorPart {
 struct SensorPlace {
   std::size_t number = 0;
   mesh::Point at;
-  mesh::Vector normal;
+  Receiver receiver;
 };
 
 /// The rays of sensors: the same ones whenever they are asked for.
@@ -83,9 +84,9 @@ class SensorRays {
   template <class Taker>
   void look_around(const SensorPart& part, std::size_t r, std::uint32_t until, const SobolPoints& points,
                    const SensorPlace& place, Taker& taker) const {
-    const mesh::Frame frame = mesh::frame_around(place.normal);
+    const mesh::Frame frame = mesh::frame_around(place.receiver.axis());
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const mesh::Vector d = cosine_direction(frame, points.at(i, 0), points.at(i, 1));
+      const mesh::Vector d = place.receiver.direction(frame, points.at(i, 0), points.at(i, 1));
       taker.ray(
           r,
           [&](auto& visitor) {
@@ -102,14 +103,14 @@ class SensorRays {
     const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(part.which), true};
     for (std::uint32_t i = part.rays; i < until; ++i) {
       const SolidAngleSample s = sampler.sample(points.at(i, 0), points.at(i, 1));
-      const double cosine = dot(s.direction, place.normal);
-      if (cosine <= 0.0 || s.solid_angle_sr <= 0.0) {
+      const double kernel = place.receiver.kernel(s.direction);
+      if (kernel <= 0.0 || s.solid_angle_sr <= 0.0) {
         taker.miss(r);
         continue;
       }
       taker.ray(
           r, [&](auto& visitor) { follow(scene(), place.at, s.direction, 1.0F, rule, visitor); },
-          [&](double lux) { return lux * s.solid_angle_sr * cosine / std::numbers::pi; });
+          [&](double lux) { return lux * s.solid_angle_sr * kernel / std::numbers::pi; });
     }
   }
 
@@ -118,7 +119,7 @@ class SensorRays {
                        const SensorPlace& place, Taker& taker) const {
     for (std::uint32_t i = part.rays; i < until; ++i) {
       const EmitterSample seen =
-          sample(solution_, emitters_[part.which], place.at, place.normal, points.at(i, 0), points.at(i, 1));
+          sample(solution_, emitters_[part.which], place.at, place.receiver, points.at(i, 0), points.at(i, 1));
       taker.seen(r, seen.kernel, seen.passed);
     }
   }
@@ -128,7 +129,7 @@ class SensorRays {
                    const SensorPlace& place, Taker& taker) const {
     for (std::uint32_t i = part.rays; i < until; ++i) {
       const mesh::Vector towards = sun_direction(scene().sky.sun, points.at(i, 0), points.at(i, 1));
-      taker.sun(r, sun_illuminance(scene(), place.at, place.normal, towards));
+      taker.sun(r, sun_illuminance(scene(), place.at, place.receiver, towards));
     }
   }
 

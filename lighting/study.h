@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lighting/channels.h"
+#include "lighting/en12464_tasks.h"
 #include "lighting/luminaire.h"
 #include "lighting/material.h"
 #include "lighting/sky.h"
@@ -39,6 +40,30 @@ struct GridRequest {
   std::optional<double> margin_m;  ///< none: the smaller of 0.5 m and 15 % of the room's smaller width
   /// Whether each room gets a grid of its own with the name of the room, in place of one for all; surfaces are "rooms" then.
   bool by_room = false;
+  /// What the sensors receive, where it is not the light on the surface: that from the side they look to (a unit vector), or the
+  /// cylindrical illuminance about the surface's normal.
+  std::optional<mesh::Vector> look;
+  bool cylindrical = false;
+  std::string direction = "surface";  ///< the same in the study's word
+  bool modelling = false;             ///< whether the cylindrical illuminance is told beside the sensors' own
+};
+
+/// Someone whose glare is asked for.
+struct Observer {
+  std::string name;
+  mesh::Point eye;    ///< [m, model coordinates]
+  mesh::Vector look;  ///< of unit length
+};
+
+/// A visual task to be judged by EN 12464-1, in each room whose name fits.
+struct TaskRequest {
+  std::string name;
+  TaskRequirements required;
+  std::string rooms = "*";  ///< names, a glob
+  /// Where the task is done, in plan [m, model coordinates]: two corners; none: all of the room.
+  std::optional<mesh::Box> rectangle;
+  double height_m = 0.75;     ///< of the task area above the floor
+  double eye_height_m = 1.2;  ///< of the cylindrical illuminance and of the observers: 1.2 m seated, 1.6 m standing
 };
 
 /// The one number that the user asks for, and what tests may vary.
@@ -66,6 +91,8 @@ struct Study {
   Sky sky;
   std::vector<Luminaire> luminaires;  ///< model coordinates
   std::vector<GridRequest> grids;
+  std::vector<Observer> observers;
+  std::vector<TaskRequest> tasks;
   double north_deg = 0.0;  ///< from +y, counter-clockwise
   Accuracy accuracy;
   Columns columns = Columns::kMix;  ///< whose results are given apart

@@ -61,28 +61,28 @@ std::vector<Vector> pane_normals(const Scene& scene) {
   return normals;
 }
 
-double sun_illuminance(const Scene& scene, const Point& at, const Vector& normal, const Vector& towards) {
+double sun_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, const Vector& towards) {
   const Sun& sun = scene.sky.sun;
   if (!sun.shines()) return 0.0;
   double sum = 0.0;
-  const double straight = dot(towards, normal);
+  const double straight = receiver.kernel(towards);
   if (straight > 0.0) sum += straight * share_from(scene, at, towards, towards, false);
   for (const Vector& w : scene.pane_normals) {
     const Vector image = towards - 2.0 * dot(towards, w) * w;
-    const double cosine = dot(image, normal);
+    const double cosine = receiver.kernel(image);
     if (cosine > 0.0) sum += cosine * share_from(scene, at, image, towards, true);
   }
   return sun.normal_illuminance_lux * sum;
 }
 
-double sun_illuminance(const Scene& scene, const Point& at, const Vector& normal) {
+double sun_illuminance(const Scene& scene, const Point& at, const Receiver& receiver) {
   const Sun& sun = scene.sky.sun;
   if (!sun.shines()) return 0.0;
-  if (!sun.disc) return sun_illuminance(scene, at, normal, sun.towards);
+  if (!sun.disc) return sun_illuminance(scene, at, receiver, sun.towards);
   static const SobolPoints kNumbers(0x50F);
   double sum = 0.0;
   for (std::uint32_t i = 0; i < kPlacesOfDisc; ++i)
-    sum += sun_illuminance(scene, at, normal, sun_direction(sun, kNumbers.at(i, 0), kNumbers.at(i, 1)));
+    sum += sun_illuminance(scene, at, receiver, sun_direction(sun, kNumbers.at(i, 0), kNumbers.at(i, 1)));
   return sum / kPlacesOfDisc;
 }
 

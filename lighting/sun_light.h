@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lighting/receiver.h"
 #include "lighting/scene.h"
 #include "lighting/sky.h"
 #include "mesh/geometry.h"
@@ -21,10 +22,10 @@ std::vector<mesh::Vector> pane_normals(const Scene& scene);
 
 /// Illuminance by the sun at a point off the scene's surfaces, were all its light to come from one direction [lux]: straight, through panes
 /// by their angle and openings, and as panes mirror it. Exact for a sun without a disc.
-double sun_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal,
+double sun_illuminance(const Scene& scene, const mesh::Point& at, const Receiver& receiver,
                        const mesh::Vector& towards);
 
 /// The same of the whole sun: of a disc the mean over a fixed pattern of places, whose penumbras have as many steps.
-double sun_illuminance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
+double sun_illuminance(const Scene& scene, const mesh::Point& at, const Receiver& receiver);
 
 }  // namespace clerestory::lighting

@@ -44,6 +44,17 @@ std::string illuminance_table(const std::vector<lighting::GridResult>& grids) {
   return io::text_table(rows);
 }
 
+/// Of the grids that have it.
+std::string modelling_table(const std::vector<lighting::GridResult>& grids) {
+  std::vector<io::TextRow> rows = {{"grid", "mean cylindrical", "mean modelling"}};
+  for (const auto& grid : grids) {
+    if (grid.cylindrical_lux.empty()) continue;
+    rows.push_back({grid.name, figure(grid.metrics.mean_cylindrical_lux) + " lx",
+                    fmt::format("{:.2f}", grid.metrics.mean_modelling)});
+  }
+  return rows.size() > 1 ? "\n" + io::text_table(rows) : "";
+}
+
 std::string heading(const io::ResultContext& context) {
   const bool daylight = context.kind == lighting::Study::Kind::kDaylight;
   return fmt::format("{}: {}, {}\n\n", context.study_name, daylight ? "daylight factor" : "illuminance", context.sky);
@@ -97,9 +108,9 @@ std::string sentences(std::string_view label, const std::vector<std::string>& li
 std::string report(const lighting::Results& results, const io::ResultContext& context,
                    const std::filesystem::path& out) {
   const bool daylight = context.kind == lighting::Study::Kind::kDaylight;
-  return heading(context) + (daylight ? daylight_table(results.grids) : illuminance_table(results.grids)) + "\n" +
-         left_out(results.grids) + figures_of_the_run(results) + places(results, out) +
-         sentences("assumed", results.assumptions) + sentences("note", results.notices);
+  return heading(context) + (daylight ? daylight_table(results.grids) : illuminance_table(results.grids)) +
+         modelling_table(results.grids) + "\n" + left_out(results.grids) + figures_of_the_run(results) +
+         places(results, out) + sentences("assumed", results.assumptions) + sentences("note", results.notices);
 }
 
 std::string shortfall(const lighting::Results& results) {

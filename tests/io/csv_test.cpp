@@ -39,6 +39,17 @@ TEST(Csv, HasTheDaylightFactorWhereTheGridHasIt) {
   EXPECT_NE(csv.find(",123.456,1.5,1.25\n"), std::string::npos);
 }
 
+TEST(Csv, HasCylindricalIlluminanceAndModellingWhereTheGridHasThem) {
+  auto grid = two_sensors();
+  grid.illuminance_lux = {200.0F, 0.0F};
+  grid.cylindrical_lux = {100.0F, 0.0F};
+  grid.cylindrical_error_lux = {0.5F, 0.25F};
+  const std::string csv = grid_csv(grid);
+  EXPECT_NE(csv.find(",error_lux,cylindrical_lux,cylindrical_error_lux,modelling\n"), std::string::npos);
+  EXPECT_NE(csv.find(",200,1.5,100,0.5,0.5\n"), std::string::npos);
+  EXPECT_NE(csv.find(",0,0.0000001,0,0.25,0\n"), std::string::npos);
+}
+
 TEST(Csv, SensorsKeepTheirNumbersWhereOthersAreLeftOut) {
   auto grid = two_sensors();
   grid.sensors.ids = {3, 7};

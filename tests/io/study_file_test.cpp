@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/study_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -278,6 +279,32 @@ TEST(StudyFile, TheSampleReads) {
   const auto input =
       read_study(test::samples_dir() / "office" / "office.toml", {.kind = Study::Kind::kDaylight, .set = {}});
   EXPECT_FALSE(input.study.materials.empty());
+}
+
+TEST(StudyFile, GridsLookWhereTheyAreAskedTo) {
+  const StudyFolder folder;
+  const auto grids =
+      folder
+          .read(
+              "[model]\nfile = 'room.obj'\nnorth = 90.0\n"
+              "[[grids]]\nname = 'a'\ndirection = 'east'\n[[grids]]\nname = 'b'\ndirection = 'cylindrical'\n"
+              "[[grids]]\nname = 'c'\ndirection = [0, 3, 4]\n[[grids]]\nname = 'd'\nmodelling = true\n")
+          .study.grids;
+  // North is 90° counter-clockwise from +y, -x; so east is +y.
+  ASSERT_TRUE(grids[0].look.has_value());
+  EXPECT_NEAR(grids[0].look->x, 0.0, 1e-12);
+  EXPECT_NEAR(grids[0].look->y, 1.0, 1e-12);
+  EXPECT_TRUE(grids[1].cylindrical && !grids[1].look);
+  EXPECT_NEAR(grids[2].look->y, 0.6, 1e-12);
+  EXPECT_TRUE(grids[3].modelling && !grids[3].cylindrical && !grids[3].look);
+  EXPECT_EQ(grids[3].direction, "surface");
+}
+
+TEST(StudyFile, DirectionsThatAreNoneAreRefused) {
+  const StudyFolder folder;
+  for (const char* line : {"direction = 'up'", "direction = [0, 0, 0]", "direction = [1, 0]", "direction = 3",
+                           "direction = 'north'\nmodelling = true"})
+    EXPECT_THROW(folder.read(fmt::format("[model]\nfile = 'room.obj'\n[[grids]]\n{}\n", line)), InputError) << line;
 }
 
 }  // namespace

@@ -26,7 +26,16 @@ Gathered gathered(const test::Solved& solved, const std::vector<Point>& points, 
   std::vector<Point> local;
   for (const Point& p : points) local.push_back(solved.local(p));
   NoProgress nobody;
-  return gather(solved.solution, solved.transport.errors, local, normals, accuracy, 1, nobody);
+  return gather(solved.solution, solved.transport.errors, {local, normals}, accuracy, 1, nobody);
+}
+
+/// The same at upright cylinders.
+Gathered gathered_round(const test::Solved& solved, const std::vector<Point>& points, double accuracy = 0.02) {
+  std::vector<Point> local;
+  for (const Point& p : points) local.push_back(solved.local(p));
+  const std::vector<Vector> axes(points.size(), Vector{0, 0, 1});
+  NoProgress nobody;
+  return gather(solved.solution, solved.transport.errors, {local, axes, true}, accuracy, 1, nobody);
 }
 
 TEST(Gather, AreaLampInABlackRoomMatchesCie171Case53) {
@@ -61,6 +70,39 @@ TEST(Gather, PointSourceIsExactAndShadowed) {
   EXPECT_NEAR(lit.illuminance_lux[1], 0.0, 1e-4);
 }
 
+TEST(Gather, ACylinderReceivesOfAPointSourceByTheSineOverPi) {
+  Study study = test::study_of(support::box_room(4, 4, 3), 0.0, {2, 2, 0.5});
+  study.luminaires.push_back(clerestory::test::isotropic_lamp({0.5, 2, 2.5}, 1000.0));
+  const Gathered lit = gathered_round(test::Solved(study), {{3, 2, 1.2}, {0.5, 2, 1.2}});
+  const double r2 = 2.5 * 2.5 + 1.3 * 1.3;
+  EXPECT_NEAR(lit.illuminance_lux[0], 1000.0 / r2 * 2.5 / std::sqrt(r2) / std::numbers::pi, 1e-2);
+  EXPECT_NEAR(lit.illuminance_lux[1], 0.0, 1e-3);
+}
+
+TEST(Gather, ACylinderReceivesTheMeanOfThePlanesAboutIt) {
+  const test::Solved solved = [] {
+    mesh::Model model = support::box_room(4, 4, 3);
+    support::add_table(model, {1.2, 1.6, 0.0});
+    support::add_quad(model, {1.5, 1.5, 2.5}, {1.5, 2.5, 2.5}, {2.5, 2.5, 2.5}, {2.5, 1.5, 2.5}, {"lamp", "lamp"});
+    Study study = test::study_of(std::move(model), 0.5, {1, 1, 1.2});
+    test::shine(test::material(study, "lamp"), 1000.0);
+    return test::Solved(study);
+  }();
+  constexpr int kPlanes = 15;
+  const Point at{1.0, 3.0, 1.2};
+  std::vector<Vector> normals;
+  for (int k = 0; k < kPlanes; ++k) {
+    const double phi = 2.0 * std::numbers::pi * k / kPlanes;
+    normals.push_back({std::cos(phi), std::sin(phi), 0.0});
+  }
+  const Gathered planes = gathered(solved, std::vector<Point>(kPlanes, at), normals, 0.005);
+  double mean = 0.0;
+  for (const float lux : planes.illuminance_lux) mean += lux / kPlanes;
+  const Gathered round = gathered_round(solved, {at}, 0.005);
+  EXPECT_NEAR(round.illuminance_lux[0] / mean, 1.0, 0.01);
+  EXPECT_GT(round.error_lux[0], 0.0F);
+}
+
 Study furnace() {
   Study study = test::study_of(support::box_room(4, 5, 3), 0.5, {2, 2, 1});
   for (Material& m : study.materials) test::shine(m, 20.0);
@@ -73,6 +115,16 @@ TEST(Gather, SensorsOnSurfacesInCornersAndInTheOpenSeeTheFurnace) {
       gathered(solved, {{2, 2, 0}, {0, 2, 1}, {3.9999, 4.9999, 3}, {1e-4, 1e-4, 1e-4}, {2, 2, 1.5}, {2, 2, 1.5}},
                {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, 0.6, -0.8}, {1, 0, 0}});
   for (const float lux : e.illuminance_lux) EXPECT_NEAR(lux, 40.0, 0.04);
+  for (const float lux : gathered_round(solved, {{2, 2, 1.2}, {0.1, 0.1, 2.9}}).illuminance_lux)
+    EXPECT_NEAR(lux, 40.0, 0.04);
+}
+
+TEST(Gather, IndirectLightIsWhatSurfacesReflect) {
+  // Of the furnace's 40 lx half are reflected, half the surfaces' own light.
+  const test::Solved solved(furnace());
+  const Gathered e = gathered(solved, {{2, 2, 1.5}}, {{1, 0, 0}});
+  EXPECT_NEAR(e.indirect_lux[0], 20.0, 0.2);
+  EXPECT_GE(e.indirect_error_lux[0], 0.0F);
 }
 
 /// A room with a lamp over a table, which hides part of it.

@@ -66,5 +66,16 @@ TEST(GridMetrics, DaylightFactorsOfTwoAndFivePerCentAreCountedInclusively) {
   EXPECT_DOUBLE_EQ(m.share_above_5_percent, 0.5);
 }
 
+TEST(Metrics, AGridIsAsGoodAsTheWorstOfItsColumns) {
+  GridResult cylindrical = grid({200, 400}, {1, 2});
+  cylindrical.cylindrical_lux = {100, 300};
+  cylindrical.cylindrical_error_lux = {3, 9};
+  const GridMetrics m = grid_metrics(cylindrical, 0.02);
+  EXPECT_DOUBLE_EQ(m.mean_cylindrical_lux, 200.0);
+  EXPECT_DOUBLE_EQ(m.mean_modelling, 0.625);
+  EXPECT_NEAR(m.accuracy_reached, 0.03, 1e-6);
+  EXPECT_FALSE(m.accuracy_met);
+}
+
 }  // namespace
 }  // namespace clerestory::lighting

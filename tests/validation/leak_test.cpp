@@ -127,7 +127,7 @@ std::vector<float> without_rooms(const lighting::Study& study) {
   lighting::DirectLight direct = lighting::light_directly(stage.solution, importance, 0.002 * target, seed, nobody);
   const lighting::Transport transport =
       lighting::solve(stage.solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, nobody);
-  return lighting::gather(stage.solution, transport.errors, stage.positions, stage.normals, target, seed, nobody)
+  return lighting::gather(stage.solution, transport.errors, {stage.positions, stage.normals}, target, seed, nobody)
       .illuminance_lux;
 }
 
