@@ -33,6 +33,10 @@ constexpr double kVerticesPerElement = 40.0;
 /// … and so many more where sizes are given place by place.
 constexpr std::size_t kVerticesBySize = 20000;
 
+/// A face that is narrower on the mean keeps its coarse triangles [m]: the angle bound would cut it into pieces of its width, much smaller than
+/// light ever asks for. Strips that close the gap below what stands on a face are a tenth of that.
+constexpr double kNarrowest = 0.002;
+
 /// One face in its plane; points are numbered as triangles first use them.
 PlanarMesh in_plane(const Faces& faces, FaceId id) {
   const Face& face = faces.faces[id.index()];
@@ -52,13 +56,21 @@ PlanarMesh in_plane(const Faces& faces, FaceId id) {
   return mesh;
 }
 
+bool is_narrow(const PlanarMesh& mesh, double area) {
+  double longest = 0.0;
+  for (const Point2& p : mesh.points)
+    longest = std::max(longest, std::hypot(p.x - mesh.points[0].x, p.y - mesh.points[0].y));
+  return area < kNarrowest * longest;
+}
+
 /// The longest edge of an element at a point of a face's plane [m]; may be empty.
 using SizeInPlane = std::function<double(const Point2&)>;
 
-/// The mesh of a face within the bounds; nothing where details are too fine for them (a frame of 6 mm round a wall of 10 m: every
+/// The mesh of a face within the bounds; nothing where it or its details are too fine for them (a frame of 6 mm round a wall of 10 m: every
 /// edge would be split to that width, whatever the angle bound).
 std::optional<PlanarMesh> refined(const PlanarMesh& coarse, double area, const SizeInPlane& size_at,
                                   const MeshOptions& options) {
+  if (is_narrow(coarse, area)) return std::nullopt;
   RefineOptions refinement;
   refinement.max_edge_at = size_at;
   refinement.max_edge = options.max_size_m;

@@ -205,5 +205,16 @@ TEST(ElementMesh, GivesUpOnAngleBoundsThatNeedTooManyElements) {
   EXPECT_LT(mesh.triangles.size(), 5000U);
 }
 
+TEST(ElementMesh, StripsNarrowerThanLightAsksForKeepTheirTriangles) {
+  Model model;
+  support::add_polygon(model, {{0, 0, 0}, {0.5, 0, 0}, {0.5, 0, 0.0001}, {0, 0, 0.0001}});
+  support::add_polygon(model, {{0, 1, 0}, {0.5, 1, 0}, {0.5, 1, 0.01}, {0, 1, 0.01}});
+  const Faces faces = faces_from(model);
+  const Triangulation mesh = mesh_faces(faces, {});
+  expect_same_areas(faces, mesh);
+  EXPECT_EQ(mesh.of(FaceId(0U)).size(), 2U);
+  EXPECT_GT(mesh.of(FaceId(1U)).size(), 20U);
+}
+
 }  // namespace
 }  // namespace clerestory::mesh
