@@ -34,6 +34,8 @@ constexpr std::uint32_t kLeastRays = 32;
 constexpr double kMostRays = 2.56;
 /// Errors of what surfaces reflect are brought to this many times the accuracy.
 constexpr double kGoal = 2.0;
+/// Light that rays may have missed is looked into where it would be more than this share of the accuracy.
+constexpr double kNeglected = 0.3;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
 /// which are more evenly spread together.
 constexpr std::size_t kParts = 8;
@@ -249,16 +251,15 @@ void LocalPass::through_opening(std::uint32_t opening, std::uint32_t rays, const
     if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
     follow(scene, receiver.from, s.direction, 1.0F, rule, sum);
   }
-  sum.end(sum.part_lux() > 0.0 ? 0.0 : missed_through(opening, sampler.solid_angle_sr(), rays, receiver, sum));
+  sum.end(sum.part_lux() > 0.0 ? 0.0 : missed_through(opening, rays, receiver, sum));
 }
 
 /// What an opening gives at most whose rays have all missed the sky: by clipping, where that may matter.
-double LocalPass::missed_through(std::uint32_t opening, double solid_angle_sr, std::uint32_t rays,
-                                 const Receiver& receiver, const Sum& sum) const {
+double LocalPass::missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
+                                 const Sum& sum) const {
   const Scene& scene = solution_.scene();
-  // A sky that is three times as bright there as on the mean.
-  const double most = solid_angle_sr * scene.sky.diffuse_illuminance_lux();
-  if (most < rays * accuracy_ * std::max(sum.weighted(), dark_lux_)) return 0.0;
+  const double full = full_through(scene, opening_ends_[opening], receiver.from, receiver.normal);
+  if (full < rays * kNeglected * accuracy_ * std::max(sum.weighted(), dark_lux_)) return 0.0;
   return most_through(scene, opening_ends_[opening], receiver.from, receiver.normal);
 }
 

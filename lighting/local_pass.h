@@ -58,8 +58,8 @@ class LocalPass {
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
-  [[nodiscard]] double missed_through(std::uint32_t opening, double solid_angle_sr, std::uint32_t rays,
-                                      const Receiver& receiver, const Sum& sum) const;
+  [[nodiscard]] double missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
+                                      const Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 
   const Solution& solution_;

@@ -2,8 +2,10 @@
 #include "lighting/openings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
@@ -64,6 +66,12 @@ double sky_share(const Scene& scene, FaceId face, Side side, const std::vector<s
   return static_cast<double>(seen) / kProbes;
 }
 
+/// Of the sky, or the ground below, where a point sees the middle of an opening [lm/m²].
+double sky_radiosity(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at) {
+  const Point middle = opening.corners[0] + 0.5 * (opening.corners[2] - opening.corners[0]);
+  return std::numbers::pi * sky_luminance(scene.sky, normalized(middle - at));
+}
+
 }  // namespace
 
 mesh::ShaftEnd shaft_end(const Opening& opening) {
@@ -120,11 +128,17 @@ void find_openings(Scene& scene) {
   scene.rays->set_passages(std::move(passages), std::move(curves));
 }
 
+double full_through(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at, const Receiver& receiver) {
+  std::array<mesh::OutlineEdge, 4> outline;
+  for (std::size_t i = 0; i < opening.count; ++i)
+    outline[i] = {opening.corners[i], opening.corners[(i + 1) % opening.count]};
+  return receiver.form_factor(at, std::span(outline).first(opening.count), opening.normal) *
+         sky_radiosity(scene, opening, at);
+}
+
 double most_through(const Scene& scene, const mesh::ShaftEnd& opening, const Point& at, const Receiver& receiver) {
   const SeenFactor seen = seen_factor(*scene.shafts, at, receiver, opening);
-  if (seen.factor <= 0.0) return 0.0;
-  const Point middle = opening.corners[0] + 0.5 * (opening.corners[2] - opening.corners[0]);
-  return seen.factor * std::numbers::pi * sky_luminance(scene.sky, normalized(middle - at));
+  return seen.factor > 0.0 ? seen.factor * sky_radiosity(scene, opening, at) : 0.0;
 }
 
 }  // namespace clerestory::lighting
