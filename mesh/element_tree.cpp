@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <unordered_map>
 #include <utility>
 
+#include "mesh/group_outline.h"
 #include "mesh/hash.h"
 
 namespace clerestory::mesh {
@@ -143,29 +143,23 @@ void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
   group.centroid = origin + moment / group.area;
   add_second_moments(mesh, group);
 
-  // The outline is what is left of the edges when those with their own reverse are taken away.
   Group shape;
   const Frame& axes = side_axes_[group.face_side];
   shape.rectangle = {1e300, 1e300, -1e300, -1e300};
-  std::unordered_map<std::uint64_t, int> seen;
-  const auto name = [](std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32U) | b; };
-  for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const auto& v = start_[i];
-    for (std::size_t k = 0; k < 3; ++k) seen[name(v[k], v[(k + 1) % 3])] = 1;
-  }
-  shape.first_edge = static_cast<std::uint32_t>(edges_.size());
-  for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const auto& v = start_[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point& p = mesh.vertices[v[k]];
+  const std::span<const StartTriangle> own = std::span(start_).subspan(group.begin, group.end - group.begin);
+  for (const StartTriangle& t : own) {
+    for (const std::uint32_t v : t) {
+      const Point& p = mesh.vertices[v];
       const double u = dot(p - origin, axes.u);
       const double w = dot(p - origin, axes.v);
       shape.rectangle = {std::min(shape.rectangle[0], u), std::min(shape.rectangle[1], w),
                          std::max(shape.rectangle[2], u), std::max(shape.rectangle[3], w)};
       group.radius = std::max(group.radius, norm(p - group.centroid));
-      if (!seen.contains(name(v[(k + 1) % 3], v[k]))) edges_.push_back({p, mesh.vertices[v[(k + 1) % 3]]});
     }
   }
+  shape.first_edge = static_cast<std::uint32_t>(edges_.size());
+  for (const auto& [from, to] : group_outline(mesh.vertices, own))
+    edges_.push_back({mesh.vertices[from], mesh.vertices[to]});
   shape.edge_count = static_cast<std::uint32_t>(edges_.size()) - shape.first_edge;
   group.shape = static_cast<std::uint32_t>(groups_.size());
   groups_.push_back(shape);
