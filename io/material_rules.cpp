@@ -70,7 +70,11 @@ bool is_named_like_glass(std::string_view name) {
 }
 
 std::string reflectance_words(const lighting::Spectrum& reflectance) {
-  if (reflectance.size() != 3) return fmt::format("{:.2f}", reflectance.front());
+  if (reflectance.size() == 1) return fmt::format("{:.2f}", reflectance.front());
+  if (reflectance.size() != lighting::kPrimaries) {
+    const auto [least, most] = std::minmax_element(reflectance.begin(), reflectance.end());
+    return fmt::format("{:.2f} to {:.2f} ({} bands)", *least, *most, reflectance.size());
+  }
   return fmt::format("{:.2f}, {:.2f}, {:.2f} (red, green, blue)", reflectance[0], reflectance[1], reflectance[2]);
 }
 

@@ -76,7 +76,7 @@ class MaterialAssumptions {
 /// The luminance that a file tells, as emission of the front; nothing where it tells none.
 std::optional<lighting::Emission> told_emission(const SourceMaterial& source);
 
-/// "0.50", or "0.50, 0.40, 0.30 (red, green, blue)".
+/// "0.50", "0.50, 0.40, 0.30 (red, green, blue)", or "0.10 to 0.60 (9 bands)".
 std::string reflectance_words(const lighting::Spectrum& reflectance);
 
 /// "reflectance 0.50, shines with 4000 lm".

@@ -76,7 +76,7 @@ std::string expected(const StudyKey& key) {
     case ValueType::kBoolean:
       return "true or false";
     case ValueType::kReflectance:
-      return fmt::format("a number{}, or three of them: [r, g, b]", range_text(key));
+      return fmt::format("a number{}, or one of them a band: [r, g, b]", range_text(key));
     case ValueType::kShare:
       return fmt::format("a number{}, or a share such as \"2%\"", range_text(key));
     case ValueType::kDate:
@@ -96,7 +96,7 @@ bool all_of_items(const StudyValue& value, bool (*fits)(const StudyValue&)) {
 
 bool fits_reflectance(const StudyKey& key, const StudyValue& value) {
   if (value.is_number()) return fits_range(key, value.number);
-  return value.kind == Kind::kArray && value.children.size() == 3 &&
+  return value.kind == Kind::kArray && !value.children.empty() &&
          std::all_of(value.children.begin(), value.children.end(),
                      [&](const StudyValue& band) { return band.is_number() && fits_range(key, band.number); });
 }

@@ -82,6 +82,7 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   input.curved = read_parts_table(root, model.files.front(), study);
   record_up(root, model.up, is_study_file(study_or_model), study);
   read_site_table(root, model.site, study);
+  read_spectrum_table(root, study);
   read_materials_table(root, model, study);
   if (!options.model_only) {
     read_sky_table(root, place, study);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "io/finishes.h"
 #include "io/material_rules.h"
@@ -15,13 +16,27 @@ namespace {
 constexpr double kMostInAll = 0.99;       // as the schema bounds each part of a reflectance
 constexpr double kClearestGlass = 0.918;  // transmittance of a pane of n = 1.52 without any absorption
 
-lighting::Spectrum spectrum_of(const StudyValue& value) {
+/// @param weights  of the study's bands; empty for red, green and blue
+lighting::Spectrum spectrum_of(const StudyValue& value, std::span<const float> weights) {
   if (value.is_number()) return {static_cast<float>(value.number)};
+  const std::size_t count = weights.empty() ? lighting::kPrimaries : weights.size();
+  if (value.children.size() != count)
+    throw value.error(fmt::format("{} has {} numbers, and there are {} bands", value.key, value.children.size(), count),
+                      weights.empty() ? "give one number or [r, g, b]; [spectrum] weights gives a study other bands"
+                                      : "give one number, or one for each of [spectrum] weights");
   lighting::Spectrum bands;
   for (const StudyValue& band : value.children) bands.push_back(static_cast<float>(band.number));
   const bool grey = std::all_of(bands.begin(), bands.end(), [&](float band) { return band == bands.front(); });
   if (grey) bands.resize(1);
   return bands;
+}
+
+/// Colours that are not of the study count as grey where its bands are not red, green and blue.
+void to_bands(std::span<const float> weights, lighting::SideMaterial& side) {
+  if (!side.reflectance || side.reflectance->size() == 1 || weights.empty()) return;
+  if (side.reflectance->size() == weights.size()) return;
+  const std::vector<float> primaries = lighting::luminance_weights(side.reflectance->size());
+  side.reflectance = lighting::Spectrum{lighting::luminance(*side.reflectance, primaries)};
 }
 
 std::optional<lighting::Emission> emission_of(const StudyValue& entry) {
@@ -139,6 +154,8 @@ lighting::Material MaterialReader::material(const SourceMaterial& mtl) {
     assumed_.decide(mtl, material);
     if (material.glazing) note_if_too_clear(material);
   }
+  to_bands(study_.band_weights, material.front);
+  to_bands(study_.band_weights, material.back);
   if (study_.kind == lighting::Study::Kind::kDaylight) darken(material);
   return material;
 }
@@ -194,7 +211,8 @@ std::optional<lighting::Spectrum> MaterialReader::reflectance_of(const StudyValu
                                                                  const SourceMaterial& mtl) {
   if (finish != nullptr) return reflectance_of(*finish, mtl.name);
   const StudyValue* reflectance = entry.find("reflectance");
-  return reflectance != nullptr ? std::optional(spectrum_of(*reflectance)) : assumed_.reflectance(mtl).value;
+  return reflectance != nullptr ? std::optional(spectrum_of(*reflectance, study_.band_weights))
+                                : assumed_.reflectance(mtl).value;
 }
 
 lighting::Spectrum MaterialReader::reflectance_of(const Finish& finish, const std::string& material) {
@@ -213,7 +231,7 @@ void MaterialReader::apply_back(const StudyValue& back, const SourceMaterial& mt
     material.back.reflectance = reflectance_of(*finish, mtl.name);
     material.why += fmt::format(", finish {} on the back", finish->name);
   } else if (const StudyValue* reflectance = back.find("reflectance")) {
-    material.back.reflectance = spectrum_of(*reflectance);
+    material.back.reflectance = spectrum_of(*reflectance, study_.band_weights);
   }
   material.back.emission = emission_of(back);
 }

@@ -78,7 +78,7 @@ std::string value_text(const StudyKey& key) {
     case ValueType::kBoolean:
       return "`true` or `false`";
     case ValueType::kReflectance:
-      return "number" + range(key) + ", or three";
+      return "number" + range(key) + ", or one a band";
     case ValueType::kShare:
       return "number" + range(key) + ", or per cent as text";
     case ValueType::kDate:

@@ -82,6 +82,18 @@ constexpr StudyKey kKeys[] = {
          "A weather file, .epw or .wea. Latitude, longitude and time zone are its own where the study gives none.",
      .example = "\"munich.epw\""},
 
+    {.path = "spectrum",
+     .type = kTable,
+     .meaning =
+         "The bands in which light is told apart where a material is coloured. Light of the sky and of lamps has "
+         "the same number in each; illuminances are sums by the weights."},
+    {.path = "spectrum.weights",
+     .type = kNumbers,
+     .meaning = "Each band's share of V(λ), in any unit, one number a band. Not given: red, green and blue of "
+                "Radiance's primaries, 0.265, 0.670, 0.065. Colours that the model tells count as grey where there are "
+                "not three bands.",
+     .example = "[0.1, 0.7, 0.2]"},
+
     {.path = "materials",
      .type = kTable,
      .meaning = "What materials do to light, by their name in the model. Of several entries for one material the exact "
@@ -92,7 +104,8 @@ constexpr StudyKey kKeys[] = {
     {.path = "materials.*.reflectance",
      .type = kReflectance,
      .meaning =
-         "The share of light that is reflected diffusely, one number or `[red, green, blue]`. Not given: the "
+         "The share of light that is reflected diffusely, one number, or one a band: `[red, green, blue]`, or as many "
+         "as `spectrum.weights` has. Not given: the "
          "model's own (an MTL's Kd, a Radiance plastic …), else what the name says ([materials.md](materials.md)), "
          "else by orientation (up 0.2, down 0.7, vertical 0.5, outdoors 0.2).",
      .example = "0.5",

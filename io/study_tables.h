@@ -34,6 +34,9 @@ void read_site_table(StudyValue& root, const ModelSite& site, lighting::Study& s
 mesh::SubdivisionReport read_parts_table(const StudyValue& root, const std::filesystem::path& model,
                                          lighting::Study& study);
 
+/// [spectrum]: the bands. Throws InputError for weights that are none.
+void read_spectrum_table(const StudyValue& root, lighting::Study& study);
+
 /// [materials]: one material a model material. The study counts first, then names like glass, then the MTL, then orientation.
 /// Throws InputError for entries that contradict themselves, and names that match no material.
 void read_materials_table(const StudyValue& root, const ModelFile& model, lighting::Study& study);

@@ -48,8 +48,7 @@ Clusters::Clusters(const Scene& scene, const mesh::ElementTree& tree) {
   for (const ElementId root : order_) area_before_.push_back(area_before_.back() + tree.area(root));
 }
 
-std::vector<std::uint32_t> Clusters::beginnings() const {
-  if (!are_few()) return tops();
+std::vector<std::uint32_t> Clusters::leaves() const {
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t c = 0; c < nodes_.size(); ++c) {
     if (is_leaf(c)) leaves.push_back(c);

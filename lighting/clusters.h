@@ -34,8 +34,8 @@ class Clusters {
   enum class Kind { kPlain, kPanes, kShining };
   /// The biggest clusters of one kind each.
   [[nodiscard]] std::vector<std::uint32_t> tops() const;
-  /// What links begin with: the tops; each surface, where there are few.
-  [[nodiscard]] std::vector<std::uint32_t> beginnings() const;
+  /// The clusters of one surface each.
+  [[nodiscard]] std::vector<std::uint32_t> leaves() const;
   /// Of a cluster that one of the tops holds.
   [[nodiscard]] Kind kind(std::uint32_t c) const {
     return static_cast<Kind>(order_kind_[nodes_[c].begin] / kDirections);

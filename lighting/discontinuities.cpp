@@ -28,6 +28,8 @@ namespace {
 constexpr double kStraight = 1e-6;
 /// Critical surfaces that are traced of any source, however weak.
 constexpr std::size_t kLeastCriticalSurfaces = 200;
+/// Of the time, what tracing takes.
+constexpr double kShareOfTracing = 0.9;
 /// Size of elements where no solution tells [m].
 constexpr double kUnsolvedSizeM = 0.5;
 
@@ -276,11 +278,14 @@ SceneLines find_discontinuities(const Scene& scene, const LineOptions& options) 
   std::vector<mesh::FoundLines> of_source(sources.size());
   const mesh::DiscontinuityFinder finder(
       scene.faces, {.passable = scene.passable, .receives = scene.has_elements, .rays = scene.rays.get()});
+  const auto should_finish = [&] { return options.progress != nullptr && options.progress->should_finish(); };
   parallel_for(of_source.size(), [&](std::size_t i) {
+    if (should_finish()) return;
     const double share = static_cast<double>(options.most_critical_surfaces) * sources[i].power / power;
     of_source[i] = finder.find(sources[i], static_cast<std::uint32_t>(i),
                                std::max(kLeastCriticalSurfaces, static_cast<std::size_t>(share)));
   });
+  if (options.progress != nullptr) options.progress->advance(kShareOfTracing);
   std::vector<mesh::DiscontinuityLine> all;
   std::size_t stopped = 0;
   for (const mesh::FoundLines& found : of_source) {
@@ -291,6 +296,7 @@ SceneLines find_discontinuities(const Scene& scene, const LineOptions& options) 
   std::vector<mesh::WeighedLine> weighed(all.size());
   parallel_for(
       all.size(), [&](std::size_t i) { weighed[i] = weigh(scene, result.sources, all[i], options); }, 64);
+  if (options.progress != nullptr) options.progress->advance(1.0);
   result.selection = mesh::select_lines(all, weighed, {.most = options.most_lines});
   for (const std::uint32_t i : result.selection.kept) result.lines.push_back(all[i]);
   tell(result, stopped);

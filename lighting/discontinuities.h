@@ -12,6 +12,7 @@
 #include "mesh/discontinuity_lines.h"
 #include "mesh/discontinuity_selection.h"
 #include "mesh/discontinuity_sources.h"
+#include "mesh/progress.h"
 
 namespace clerestory::lighting {
 
@@ -54,6 +55,8 @@ struct LineOptions {
   std::size_t most_lines = std::numeric_limits<std::size_t>::max();  ///< in all
   /// Traced in all; each source gets its share by power, so that the strongest are complete longest.
   std::size_t most_critical_surfaces = 200000;
+  /// Hears of each step. Where it says that it should finish, sources are left out, and the step that follows is told.
+  Progress* progress = nullptr;
 };
 
 /// Finds the lines of all sources and keeps those across which an interpolation would miss more than the tolerance: for a line of order k,

@@ -226,6 +226,18 @@ void Importance::spread(const mesh::ElementTree& tree, std::span<const double> o
   }
 }
 
+void Importance::forget_sensors(const mesh::ElementTree& tree) {
+  double all = 0.0;
+  double all_area = 0.0;
+  for (const ElementId root : tree.roots()) {
+    all += importance_[root.index()];
+    all_area += tree.area(root);
+  }
+  for (std::size_t i = 0; i < importance_.size(); ++i)
+    importance_[i] = static_cast<float>(all * tree.area(ElementId(i)) / all_area);
+  std::fill(uneven_.begin(), uneven_.end(), 0.0F);
+}
+
 void Importance::find_uneven(const mesh::ElementTree& tree, std::span<const double> own,
                              std::span<const double> counts) {
   uneven_.assign(own.size(), 0.0F);

@@ -20,6 +20,9 @@ class Importance {
   Importance(Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
              std::uint64_t seed, std::span<const std::uint32_t> grids = {});
 
+  /// From here on nodes matter by their area, all together as much as they did: to tell what importance is worth.
+  void forget_sensors(const mesh::ElementTree& tree);
+
   /// Of a node, whether it existed when the walks were made or is a part of one that did.
   [[nodiscard]] double of(const mesh::ElementTree& tree, mesh::ElementId e) const;
   /// The part of a node's importance that does not follow its parts' areas, at any depth, beyond what chance brings about.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 
 #include "mesh/error.h"
 #include "mesh/memory.h"
@@ -41,6 +42,13 @@ double seconds_since(Limits::Clock::time_point start) {
 
 LimitedProgress::LimitedProgress(Progress& watched, const Limits& limits) : watched_(watched), limits_(limits) {
   enter(Stage::kPreparing);
+}
+
+void LimitedProgress::leave_time(double cpu_s) {
+  if (std::isinf(limits_.time_s)) return;
+  const double used_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  const double slowness = used_s > 0.0 ? std::max(1.0, seconds_since(limits_.start) / used_s) : 1.0;
+  left_s_ = std::min(slowness * cpu_s, 0.5 * limits_.time_s);
 }
 
 void LimitedProgress::enter(Stage stage) {
@@ -99,7 +107,7 @@ void LimitedProgress::stop(Stop::By by) const {
 
 bool LimitedProgress::is_late(double until) const {
   if (std::isinf(limits_.time_s)) return false;
-  const double end_s = share_of(stage_).time * limits_.time_s;
+  const double end_s = share_of(stage_).time * (limits_.time_s - left_s_);
   return seconds_since(limits_.start) >= begin_s_ + until * std::max(0.0, end_s - begin_s_);
 }
 

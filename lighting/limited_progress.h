@@ -21,6 +21,10 @@ class LimitedProgress final : public Progress {
 
   LimitedProgress(Progress& watched, const Limits& limits);
 
+  /// What follows the run needs about so much of the time limit [CPU s]; on a machine that is busy with other work as much more as the run
+  /// itself has needed so far. Never more than half of the limit. Serial.
+  void leave_time(double cpu_s);
+
   /// The next stage begins. Serial.
   void enter(Stage stage);
 
@@ -55,6 +59,7 @@ class LimitedProgress final : public Progress {
   Stage stage_ = Stage::kPreparing;
   std::string phase_;
   double begin_s_ = 0.0;          ///< when the stage began
+  double left_s_ = 0.0;           ///< of the time limit, for what follows
   std::uint64_t most_bytes_ = 0;  ///< that the stage may hold
   mutable std::atomic<bool> full_ = false;
   mutable std::atomic<std::int64_t> next_look_ns_ = 0;  ///< at the memory

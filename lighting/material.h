@@ -25,7 +25,7 @@ struct Emission {
 /// What one side of a surface does to light. Where nothing is said of the reflectance, the orientation of the side decides
 /// (up 0.2, down 0.7, vertical 0.5, outdoors 0.2).
 struct SideMaterial {
-  std::optional<Spectrum> reflectance;  ///< diffuse, 1 or 3 bands [0 … 1)
+  std::optional<Spectrum> reflectance;  ///< diffuse, of one band or of each [0 … 1)
   std::optional<Emission> emission;
 };
 

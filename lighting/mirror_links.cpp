@@ -76,8 +76,12 @@ struct Aim {
 class Follower {
  public:
   Follower(const Solution& solution, const Clusters& clusters, const std::function<double(ElementId)>& tolerance_lux,
-           std::uint64_t seed)
-      : solution_(solution), clusters_(clusters), tolerance_lux_(tolerance_lux), seed_(mesh::hash(seed, 9)) {}
+           std::uint64_t seed, const Progress& progress)
+      : solution_(solution),
+        clusters_(clusters),
+        tolerance_lux_(tolerance_lux),
+        seed_(mesh::hash(seed, 9)),
+        progress_(progress) {}
 
   [[nodiscard]] Reflections follow_link(const Link& link) const {
     const mesh::ElementTree& tree = solution_.tree();
@@ -116,6 +120,7 @@ class Follower {
     const double bright = link.source.is_cluster() ? clusters_.radiosity_mean(link.source.cluster())
                                                    : solution_.radiosity_mean(link.source.element());
     const double wanted = std::pow(kSpread * link.factor * bright / tolerance_lux_(link.receiver), 2.0);
+    if (progress_.should_finish()) return kFewRays;
     std::uint32_t rays = link.rough ? kFewRays : kRays;
     while (rays < wanted && rays < kMostRays) rays *= 2;
     return rays;
@@ -181,13 +186,15 @@ class Follower {
   const Clusters& clusters_;
   const std::function<double(ElementId)>& tolerance_lux_;
   std::uint64_t seed_;
+  const Progress& progress_;
 };
 
 }  // namespace
 
 MirroredLight follow_mirrors(const Solution& solution, const Clusters& clusters, std::span<const Link> to_panes,
-                             const std::function<double(ElementId)>& tolerance_lux, std::uint64_t seed) {
-  const Follower follower(solution, clusters, tolerance_lux, seed);
+                             const std::function<double(ElementId)>& tolerance_lux, std::uint64_t seed,
+                             const Progress& progress) {
+  const Follower follower(solution, clusters, tolerance_lux, seed, progress);
   std::vector<Reflections> reflections(to_panes.size());
   parallel_for(to_panes.size(), [&](std::size_t i) { reflections[i] = follower.follow_link(to_panes[i]); });
   MirroredLight result;

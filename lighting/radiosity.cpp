@@ -107,6 +107,8 @@ class Solver {
                    [&](std::size_t k) { views[first + k] = look(roots[first + k]); });
       progress_.advance(0.0);
     }
+    const bool bundled = options_.clusters && !clusters_.are_few();
+    const std::vector<std::uint32_t> beginnings = bundled ? clusters_.tops() : clusters_.leaves();
     std::vector<LinkCandidate> start;
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const bool looks = views[i].rays > 0;
@@ -117,7 +119,7 @@ class Solver {
           groups_.push_back({roots[i], light.group, {static_cast<float>(light.lux), 0.0F, 0.0F}});
         lookers_.push_back({roots[i], std::move(views[i])});
       }
-      for (const std::uint32_t top : clusters_.beginnings()) {
+      for (const std::uint32_t top : beginnings) {
         if (!looks || clusters_.kind(top) == Clusters::Kind::kShining)
           start.push_back({roots[i], source_of(top), Visibility::kPartial});
       }
@@ -373,7 +375,7 @@ class Solver {
                         options_.mirror_share * options_.accuracy * scale_lux_, options_.seed);
     const MirroredLight mirrored = follow_mirrors(
         solution_, clusters_, std::span(links_).subspan(to_pane - links_.begin()),
-        [&](ElementId receiver) { return linker.tolerance(receiver); }, options_.seed);
+        [&](ElementId receiver) { return linker.tolerance(receiver); }, options_.seed, progress_);
     links_.erase(to_pane, links_.end());
     links_.insert(links_.end(), mirrored.links.begin(), mirrored.links.end());
     for (const MirroredLight::FromSky& sky : mirrored.sky) {

@@ -37,6 +37,7 @@ struct SolveOptions {
   double node_share = 0.02;
   /// The same for the rays of one link to a pane.
   double mirror_share = 0.1;
+  bool clusters = true;           ///< as SolverParts has it
   bool keep_link_errors = false;  ///< for a solution that is stored
 };
 

@@ -43,6 +43,8 @@ namespace {
 /// Error at the sensors that one node's direct light may cause, as a share of the accuracy: many such errors, of either sign, add up.
 /// Measured on the validation scenes.
 constexpr double kDirectShare = 0.002;
+/// What the table, the map and the picture of a grid take to be written, measured [CPU s].
+constexpr double kWritingOfGrid_s = 0.25;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -53,6 +55,7 @@ constexpr double kElementsOfDirectLight = 0.5;
 constexpr std::size_t kMostJumps = 2000;
 
 /// Of the time of their phases, measured on the validation scenes.
+constexpr double kShareOfJumps = 0.3;
 constexpr double kShareOfStartMesh = 0.8;
 constexpr double kShareOfShownMesh = 0.5;
 constexpr double kShareOfLitMesh = 0.95;
@@ -215,7 +218,8 @@ void show_shadows(const Study& study, const Solution& solution, const SolutionEr
   const double dark_lux = kDarkShare * scale_lux;
   const LocalPass local(solution, errors, nodes, accuracy, dark_lux);
   progress.advance(0.0);
-  const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements});
+  PhasePart meshing(progress, 0.0, kShareOfShownMesh);
+  const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements}, meshing);
   progress.advance(kShareOfShownMesh);
   PhasePart lighting(progress, kShareOfShownMesh, kShareOfLitMesh);
   const LitMesh lit = light_mesh(solution, errors, shown, local, lighting);
@@ -245,6 +249,8 @@ Solution unsolved(const Scene& scene, Progress& progress) {
   options.max_size_m = kStartSizeM;
   std::vector<mesh::FaceLine> lines = mesh::feet_of(scene.slits);
   LineOptions jumps;
+  PhasePart finding(progress, 0.0, kShareOfJumps);
+  jumps.progress = &finding;
   jumps.jumps_only = true;
   jumps.most_lines = kMostJumps;
   for (const mesh::DiscontinuityLine& line : find_discontinuities(scene, jumps).lines)
@@ -330,13 +336,15 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("placing sensors", progress);
   const AllSensors sensors = place_all(study, scene, results, progress);
 
+  progress.leave_time(kWritingOfGrid_s * static_cast<double>(results.grids.size()));
   clock.begin("meshing", progress);
   Solution solution = unsolved(scene, progress);
 
   clock.begin("direct light", progress);
   progress.enter(Stage::kDirectLight);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
-  const Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
+  Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
+  if (!study.parts.importance) importance.forget_sensors(solution.tree());
   const double target = study.accuracy.target;
   solution.limit_elements(for_direct_light(solution, study.mesh.max_elements));
   DirectLight direct = light_directly(solution, importance, kDirectShare * target, seed, progress);
@@ -346,9 +354,10 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   progress.enter(Stage::kLinking);
   solution.limit_elements(study.mesh.max_elements);
   const std::vector<NodeDirect> given = direct.nodes;
-  const Transport transport =
-      solve(solution, importance, std::move(direct),
-            {.accuracy = target, .seed = seed, .keep_link_errors = study.keep_solution}, progress);
+  const Transport transport = solve(
+      solution, importance, std::move(direct),
+      {.accuracy = target, .seed = seed, .clusters = study.parts.clusters, .keep_link_errors = study.keep_solution},
+      progress);
   if (transport.out_of_elements) progress.out_of_elements();
 
   std::optional<GroupRadiosity> groups;

@@ -95,8 +95,9 @@ bool is_coloured(const SideMaterial& side) {
 void count_channels(const Study& study, Scene& scene) {
   const bool colour = std::any_of(study.materials.begin(), study.materials.end(),
                                   [](const Material& m) { return is_coloured(m.front) || is_coloured(m.back); });
-  scene.channels = colour ? 3 : 1;
-  scene.channel_weights = luminance_weights(scene.channels);
+  scene.channel_weights = luminance_weights(colour ? kPrimaries : 1);
+  if (colour && !study.band_weights.empty()) scene.channel_weights = study.band_weights;
+  scene.channels = scene.channel_weights.size();
 }
 
 void find_passable(const Study& study, Scene& scene) {
@@ -139,7 +140,7 @@ void fill_reflectances(const Study& study, Scene& scene) {
       } else if (material.opening) {
         rho = 0.0F;
       } else if (mine.reflectance) {
-        rho = (*mine.reflectance)[mine.reflectance->size() == 1 ? 0 : c];
+        rho = (*mine.reflectance)[mine.reflectance->size() == scene.channels ? c : 0];
       } else {
         rho = default_reflectance(scene, side);
       }
@@ -148,6 +149,11 @@ void fill_reflectances(const Study& study, Scene& scene) {
   for (const Material& material : study.materials) {
     for (const SideMaterial* side : {&material.front, &material.back}) {
       if (!side->reflectance) continue;
+      if (side->reflectance->size() != 1 && side->reflectance->size() != scene.channels && is_coloured(*side))
+        throw InputError(study.name, 0,
+                         fmt::format("material '{}' has {} bands, and the study {}", material.name,
+                                     side->reflectance->size(), scene.channels),
+                         "give one number, or one for each band");
       for (const float rho : *side->reflectance) {
         if (rho >= 0.0F && rho < 1.0F) continue;
         throw InputError(study.name, 0, fmt::format("material '{}' has a reflectance of {}", material.name, rho),
@@ -364,6 +370,7 @@ Scene build_scene(const Study& study, Progress* progress) {
   find_passable(study, scene);
   scene.rays = std::make_unique<mesh::Rays>(scene.faces, scene.passable);
   scene.shafts = std::make_unique<mesh::Shafts>(scene.faces, scene.passable);
+  if (!study.parts.proofs) scene.shafts->prove_nothing();
   mount_luminaires(study, scene);
   watcher.phase("openings and rooms");
   fill_reflectances(study, scene);

@@ -12,6 +12,7 @@
 
 #include "lighting/mesh_grading.h"
 #include "mesh/element_tree.h"
+#include "mesh/phase_part.h"
 #include "mesh/size_field.h"
 #include "mesh/slits.h"
 
@@ -53,6 +54,9 @@ constexpr std::size_t kFewTriangles = 12000;
 constexpr int kGradings = 2;
 /// Where surfaces without lines have taken the points already, there may be so many times more for grading.
 constexpr double kGradedShare = 1.5;
+/// Of the time, when lines are found, and when there is a mesh of them.
+constexpr double kShareOfLines = 0.5;
+constexpr double kShareOfFirstMesh = 0.8;
 
 /// The element that holds a point of a side; invalid where it carries none.
 ElementId element_at(const Solution& solution, FaceSide side, const Point& point) {
@@ -217,7 +221,7 @@ void keep(std::vector<std::size_t> of_face, std::size_t in_all, SceneLines& foun
 }
 
 /// Leaves out the lightest lines until the mesh has no more points than it may.
-void mesh_within(std::size_t most_points, const Solution& solution, ShownMesh& result) {
+void mesh_within(std::size_t most_points, const Solution& solution, ShownMesh& result, Progress& progress) {
   mesh_shown(solution, {}, nullptr, result);
   for (;;) {
     const std::vector<std::size_t> of_face = worth_it(result);
@@ -228,13 +232,14 @@ void mesh_within(std::size_t most_points, const Solution& solution, ShownMesh& r
     const double share = static_cast<double>(most_points) / static_cast<double>(result.mesh.vertices.size());
     keep(of_face, worth < lines ? lines : static_cast<std::size_t>(0.9 * share * static_cast<double>(lines)),
          result.found);
+    progress.advance(kShareOfLines);
     mesh_shown(solution, {}, nullptr, result);
   }
 }
 
 /// Makes elements smaller where the light of lamps is curved, until interpolation keeps to the accuracy or the mesh has the points that it may.
 void grade(std::size_t most_points, const Solution& solution, const LocalPass& local, const ShownOptions& options,
-           ShownMesh& result) {
+           ShownMesh& result, Progress& progress) {
   if (!local.has_lamps()) return;
   // A triangulation has half as many points as triangles.
   const GradingOptions grading{options.accuracy, options.dark_lux, 2 * most_points};
@@ -244,6 +249,7 @@ void grade(std::size_t most_points, const Solution& solution, const LocalPass& l
     if (sizes.kept) return;
     const mesh::Triangulation judged = std::move(result.mesh);
     for (;;) {
+      progress.advance(kShareOfFirstMesh);
       const mesh::SizeField field(solution.scene().faces, judged, sizes.longest_m);
       mesh_shown(solution, shown, &field, result);
       if (result.mesh.vertices.size() <= most_points) break;
@@ -256,10 +262,13 @@ void grade(std::size_t most_points, const Solution& solution, const LocalPass& l
 }  // namespace
 
 ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, const LocalPass& local,
-                     const ShownOptions& options) {
+                     const ShownOptions& options, Progress& progress) {
   const Scene& scene = solution.scene();
   ShownMesh result;
-  result.found = find_discontinuities(scene, line_options(solution, options));
+  PhasePart finding(progress, 0.0, kShareOfLines);
+  LineOptions lines = line_options(solution, options);
+  lines.progress = &finding;
+  result.found = find_discontinuities(scene, lines);
   // Points of curved parts lie on their limit surface, where a line in the plane of one facet says little.
   std::erase_if(result.found.lines, [&](const mesh::DiscontinuityLine& line) {
     return !scene.faces.faces[line.face.index()].facets.empty();
@@ -269,12 +278,13 @@ ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, con
   const std::size_t cap = options.most_elements / 2;
   const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), cap);
   const std::size_t most_triangles = std::max(kFewTriangles, 2 * by_elements);
-  mesh_within(most_points, solution, result);
+  mesh_within(most_points, solution, result, progress);
+  progress.advance(kShareOfFirstMesh);
   mesh_shown(solution, unsure(solution, errors, options, most_triangles), nullptr, result);
   if (result.mesh.triangles.size() > options.most_elements) mesh_shown(solution, {}, nullptr, result);
   const std::size_t points = result.mesh.vertices.size();
   const auto more = static_cast<std::size_t>(kGradedShare * static_cast<double>(points));
-  grade(std::max(points, std::min(std::max(most_points, more), cap)), solution, local, options, result);
+  grade(std::max(points, std::min(std::max(most_points, more), cap)), solution, local, options, result, progress);
   return result;
 }
 

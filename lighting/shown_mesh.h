@@ -34,6 +34,6 @@ struct ShownOptions {
 /// less sure of than it was asked to be. The number of lines, and what it costs to find and to light them, is bounded by the number of
 /// elements of the solution.
 ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, const LocalPass& local,
-                     const ShownOptions& options);
+                     const ShownOptions& options, Progress& progress);
 
 }  // namespace clerestory::lighting

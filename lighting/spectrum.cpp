@@ -6,7 +6,7 @@
 namespace clerestory::lighting {
 
 std::vector<float> luminance_weights(std::size_t bands) {
-  if (bands == 3) return {0.265F, 0.670F, 0.065F};
+  if (bands == kPrimaries) return {0.265F, 0.670F, 0.065F};
   return std::vector<float>(bands, 1.0F / static_cast<float>(bands));
 }
 

@@ -72,6 +72,13 @@ struct Accuracy {
   std::uint64_t seed = 0;  ///< of the low-discrepancy points' scrambling
 };
 
+/// Parts of the solver that benchmarks switch off, to tell what each saves (benchmarks/solver_parts.py). Runs for users have all of them.
+struct SolverParts {
+  bool clusters = true;    ///< off: links begin with pairs of surfaces
+  bool importance = true;  ///< off: all surfaces matter by their area
+  bool proofs = true;      ///< off: no visibility is proven by shafts, all pairs are sampled
+};
+
 /// The mesh of the surfaces.
 struct MeshRequest {
   bool discontinuities = true;           ///< lines of discontinuity are edges of what is shown
@@ -87,6 +94,8 @@ struct Study {
   mesh::Model model;                ///< metres, z up, model coordinates
   std::vector<mesh::Space> spaces;  ///< what the model's file calls rooms, model coordinates
   std::vector<Material> materials;  ///< one a model material, in the model's order
+  /// Of the bands in luminance, with a sum of 1. Empty: one band, or Radiance's three primaries where a material is coloured.
+  std::vector<float> band_weights;
   mesh::CleanOptions clean;
   Sky sky;
   std::vector<Luminaire> luminaires;  ///< model coordinates
@@ -98,6 +107,7 @@ struct Study {
   Columns columns = Columns::kMix;  ///< whose results are given apart
   std::vector<Dimming> dimming;     ///< of groups
   MeshRequest mesh;
+  SolverParts parts;
   bool keep_solution = false;            ///< for sense()
   std::vector<std::string> assumptions;  ///< what was assumed on reading, one sentence each
 };

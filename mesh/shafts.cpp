@@ -228,6 +228,7 @@ void Shafts::visit(const Shaft& shaft, const Visit& visit) const {
 }
 
 Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
+  if (!proves_) return Visibility::kPartial;
   Visibility seen = Visibility::kVisible;
   int tries = 0;
   visit(Shaft(a, b), [&](const Piece& piece) {

@@ -30,6 +30,8 @@ class Shafts {
   Shafts(const Faces& faces, std::span<const std::uint8_t> passable);
 
   [[nodiscard]] Visibility classify(const ShaftEnd& a, const ShaftEnd& b) const;
+  /// From here on all is partial: to tell what proofs are worth.
+  void prove_nothing() { proves_ = false; }
 
   /// What stands between two ends.
   struct Blockers {
@@ -63,6 +65,7 @@ class Shafts {
   void build(std::uint32_t begin, std::uint32_t end);
   [[nodiscard]] bool covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const;
 
+  bool proves_ = true;
   std::vector<Piece> pieces_;
   std::vector<Node> nodes_;
   /// Faces whose outline is one convex loop, as blockers that cover more than one of their triangles could.

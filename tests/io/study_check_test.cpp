@@ -43,8 +43,8 @@ TEST(StudyCheck, UnknownKeysNameTheNearestKnownOne) {
 TEST(StudyCheck, ValuesOutOfRangeAreRefusedWithWhatWasExpected) {
   EXPECT_THAT(refusal("[materials.wall]\nreflectance = 1.2\n"),
               HasSubstr("study.toml:4: materials.wall.reflectance is 1.2, expected a number from 0 up to 0.99, or "
-                        "three of them: [r, g, b]; write for example reflectance = 0.5"));
-  EXPECT_THAT(refusal("[materials.wall]\nreflectance = [0.1, 0.2]\n"), HasSubstr("is a list of 2, expected"));
+                        "one of them a band: [r, g, b]; write for example reflectance = 0.5"));
+  EXPECT_THAT(refusal("[materials.wall]\nreflectance = []\n"), HasSubstr("is a list of 0, expected"));
   EXPECT_THAT(refusal("[materials.wall]\nreflectance = nan\n"), HasSubstr("is nan, expected"));
   EXPECT_THAT(refusal("[[grids]]\nspacing = -0.25\n"), HasSubstr("grids.0.spacing is -0.25, expected a number over 0"));
   EXPECT_THAT(refusal("[[grids]]\nspacing = 'wide'\n"), HasSubstr("or \"en12464\""));

@@ -211,5 +211,21 @@ TEST(Discontinuities, NothingThatShinesGivesNoLines) {
   EXPECT_TRUE(lines_at(scene, 0.02).lines.empty());
 }
 
+/// A run whose time is over.
+struct Late final : Progress {
+  void phase(std::string_view) override {}
+  void advance(double) override { ++told; }
+  [[nodiscard]] bool should_finish(double) const override { return true; }
+  int told = 0;
+};
+
+TEST(Discontinuities, NoSourceIsTracedOnceTheTimeIsOver) {
+  Late late;
+  LineOptions options;
+  options.progress = &late;
+  EXPECT_TRUE(find_discontinuities(build_scene(lamp_room()), options).lines.empty());
+  EXPECT_GT(late.told, 0);
+}
+
 }  // namespace
 }  // namespace clerestory::lighting

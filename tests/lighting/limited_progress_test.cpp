@@ -142,6 +142,19 @@ TEST(LimitedProgress, AStageMayHoldItsShareOfTheMemoryThatIsLeft) {
   EXPECT_TRUE(progress.should_finish(0.0));
 }
 
+TEST(LimitedProgress, TimeForWhatFollowsIsLeftButNeverMoreThanHalf) {
+  NoProgress nobody;
+  LimitedProgress progress(nobody, limits_after(40.0, 100.0));
+  progress.enter(Stage::kGathering);
+  progress.leave_time(1e9);
+  EXPECT_FALSE(progress.should_finish()) << "45 s are over at 45 s";
+  LimitedProgress later(nobody, limits_after(50.0, 100.0));
+  later.enter(Stage::kGathering);
+  EXPECT_FALSE(later.should_finish()) << "without anything to follow";
+  later.leave_time(1e9);
+  EXPECT_TRUE(later.should_finish());
+}
+
 TEST(LimitedProgress, ShowingThatIsLateEndsWithoutAnError) {
   NoProgress nobody;
   LimitedProgress progress(nobody, limits_after(99.0, 100.0));

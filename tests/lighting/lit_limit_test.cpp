@@ -54,7 +54,7 @@ SurfaceResult shown_surfaces(const Study& study) {
   const Transport transport = solve(stage.solution, importance, direct, {.accuracy = kAccuracy, .seed = kSeed}, nobody);
   const LocalPass local(stage.solution, transport.errors, direct.nodes, kAccuracy, 0.05 * importance.mean_lux());
   const ShownMesh shown =
-      shown_mesh(stage.solution, transport.errors, local, {kAccuracy, 0.05 * importance.mean_lux(), 100000});
+      shown_mesh(stage.solution, transport.errors, local, {kAccuracy, 0.05 * importance.mean_lux(), 100000}, nobody);
   const LitMesh lit = light_mesh(stage.solution, transport.errors, shown, local, nobody);
   return surface_values(stage.solution, transport.errors, shown, lit, local, nobody);
 }

@@ -51,7 +51,9 @@ struct Lit : test::Stage {
   }
   [[nodiscard]] double at(const Point& model_point) const { return light(model_point).lux.at(0); }
   [[nodiscard]] ShownMesh shown(std::size_t most_elements) const {
-    return shown_mesh(solution, transport.errors, local_pass, {0.02, 0.05 * importance.mean_lux(), most_elements});
+    NoProgress unwatched;
+    return shown_mesh(solution, transport.errors, local_pass, {0.02, 0.05 * importance.mean_lux(), most_elements},
+                      unwatched);
   }
 
   NoProgress nobody;

@@ -67,6 +67,14 @@ double reflected_by(const PaneArea& pane) {
                    [](double cosine, const Point&, const Vector&) { return pane_optics(kClear, cosine).reflectance; });
 }
 
+/// A run that may be told to finish.
+struct Hurry final : Progress {
+  void phase(std::string_view) override {}
+  void advance(double) override {}
+  [[nodiscard]] bool should_finish(double) const override { return hurries; }
+  bool hurries = false;
+};
+
 /// All that is needed to follow links from the receiver to panes.
 struct Mirrors : test::Stage {
   explicit Mirrors(const Study& study) : Stage(study), clusters((solution.push_pull(), scene), solution.tree()) {
@@ -80,11 +88,12 @@ struct Mirrors : test::Stage {
     link.slope_u = 0.5F * link.factor;
     link.slope_v = -0.25F * link.factor;
     return follow_mirrors(
-        solution, clusters, {&link, 1}, [this](ElementId) { return tolerance_lux; }, seed);
+        solution, clusters, {&link, 1}, [this](ElementId) { return tolerance_lux; }, seed, progress);
   }
 
   Clusters clusters;
   double tolerance_lux = 1e9;
+  Hurry progress;
 };
 
 /// Mean of a value over many seeds, and its standard error.
@@ -204,6 +213,19 @@ TEST(FollowMirrors, NoiseIsStatedAndMoreRaysAreTakenWhereItWouldMatter) {
   const Spread many = spread_of(mirrors);
   EXPECT_NEAR(many.stated_lux / many.true_lux, 1.0, 0.15);
   EXPECT_LT(many.true_lux, few.true_lux / 4.0) << "32 times as many rays";
+}
+
+TEST(FollowMirrors, FewRaysMustDoInAHurry) {
+  Mirrors mirrors(poster_study());
+  const LinkSource pane = LinkSource::element(mirrors.root("glass"));
+  const auto rays = [&] {
+    const std::uint64_t before = mirrors.scene.rays->use().rays;
+    (void)mirrors.follow(pane, 0.05, 1);
+    return mirrors.scene.rays->use().rays - before;
+  };
+  const std::uint64_t unhurried = rays();
+  mirrors.progress.hurries = true;
+  EXPECT_LE(4 * rays(), unhurried + 4);
 }
 
 TEST(FollowMirrors, SkySeenInAPaneIsLight) {

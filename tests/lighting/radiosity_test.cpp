@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "tests/lighting/stages.h"
 #include "tests/support/lamps.h"
@@ -258,6 +259,36 @@ TEST(Radiosity, ErrorsOfLinksAreKeptOnlyWhereAskedFor) {
   EXPECT_TRUE(Solved(kept).transport.arrivals.has_errors());
 }
 
+/// Weights of so many bands, most for those in the middle.
+std::vector<float> weights_of(std::size_t bands) {
+  std::vector<float> weights;
+  for (std::size_t b = 0; b < bands; ++b) weights.push_back(static_cast<float>((b + 1) * (bands - b)));
+  const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
+  for (float& w : weights) w /= sum;
+  return weights;
+}
+
+TEST(Radiosity, AFurnaceIsExactInEachOf9And81Bands) {
+  for (const std::size_t bands : {std::size_t{9}, std::size_t{81}}) {
+    Spectrum rho;
+    for (std::size_t b = 0; b < bands; ++b)
+      rho.push_back(0.1F + 0.7F * static_cast<float>(b) / static_cast<float>(bands - 1));
+    Study study = test::study_of(support::box_room(4, 3, 2), 0.5, {2, 1, 1});
+    study.band_weights = weights_of(bands);
+    for (Material& m : study.materials) {
+      m.front.reflectance = rho;
+      test::shine(m, 100.0);
+    }
+    const Solved s(study);
+    ASSERT_EQ(s.solution.channels(), bands);
+    for (const ElementId e : s.solution.elements()) {
+      if (!s.scene.shines(s.solution.tree().face_side(e))) continue;
+      for (std::size_t b = 0; b < bands; ++b)
+        EXPECT_NEAR(s.solution.radiosity(e)[b] * (1.0F - rho[b]) / 100.0F, 1.0, 1.5e-4) << b;
+    }
+  }
+}
+
 TEST(Radiosity, BlackSurfacesSendNothingBack) {
   Study study = lamp_room();
   for (Material& m : study.materials) m.front.reflectance = m.back.reflectance = Spectrum{0.0F};
@@ -289,6 +320,21 @@ TEST(Radiosity, GreyRoomIsTheSameInOneChannelAndInThree) {
     for (std::size_t c = 0; c < 3; ++c) {
       ASSERT_NEAR(three.solution.irradiance(e)[c].value, one.solution.irradiance(e)[0].value, 1e-3);
     }
+  }
+}
+
+TEST(Radiosity, GreyRoomIsTheSameInOneChannelAndIn81) {
+  const Solved one(with_plate({0.5F}));
+  Spectrum plate(81, 0.5F);
+  plate.back() = 0.3F;
+  Study study = with_plate(plate);
+  study.band_weights = weights_of(81);
+  const Solved many(study);
+  ASSERT_EQ(many.solution.channels(), 81U);
+  ASSERT_EQ(one.solution.elements(), many.solution.elements());
+  for (const ElementId e : one.solution.elements()) {
+    for (const LinearValue& lux : many.solution.irradiance(e))
+      ASSERT_NEAR(lux.value, one.solution.irradiance(e)[0].value, 1e-3);
   }
 }
 

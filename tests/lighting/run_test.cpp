@@ -344,5 +344,24 @@ TEST(Run, CanBeStoppedInItsLongPhases) {
   }
 }
 
+TEST(Run, PartsOfTheSolverSaveWorkAndDoNotChangeTheAnswer) {
+  Study study = test::furnished_room_study();
+  study.accuracy.target = 0.05;
+  NoProgress nobody;
+  const Results all = run(study, nobody);
+  for (const SolverParts& parts :
+       {SolverParts{.clusters = false}, SolverParts{.importance = false}, SolverParts{.proofs = false}}) {
+    study.parts = parts;
+    const Results without = run(study, nobody);
+    for (std::size_t i = 0; i < all.grids[0].sensors.count(); ++i) {
+      const double error = std::hypot(all.grids[0].error_lux[i], without.grids[0].error_lux[i]);
+      EXPECT_NEAR(without.grids[0].illuminance_lux[i], all.grids[0].illuminance_lux[i], 3.0 * error);
+    }
+    if (!parts.proofs) {
+      EXPECT_GT(without.counts.rays, all.counts.rays);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clerestory::lighting

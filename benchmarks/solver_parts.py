@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What each part of the solver saves: answers the reference scenes with one part after the other switched off.
+
+    benchmarks/solver_parts.py [--program build/release/benchmarks/solver_parts] [--repeat 3] [-o docs/what-each-part-saves.md]
+
+Needs the target solver_parts, for the figures of rays rays_benchmark, and the reference scenes (see validation.py)."""
+import argparse
+import csv
+import datetime
+import json
+import math
+import statistics
+import subprocess
+import tempfile
+from pathlib import Path
+
+import validation
+
+SCENES = {"office": 0.02, "atrium": 0.05}  # accuracy asked
+PARTS = {"all": "all of it", "clusters": "clusters", "importance": "importance", "proofs": "proven visibility"}
+LONGEST_S = 900
+PAGE = """# What each part of the solver saves
+
+The reference scenes, each part switched off in turn, at one thread: CPU seconds of the run without what is shown of surfaces (medians of {repeat}), of
+linking alone, rays, links, elements, the error that the run states, and the RMS of the sensors against the reference. This page is
+written by
+
+    benchmarks/solver_parts.py
+
+and was last written {date}, on a machine that did {rays} in that minute.
+
+- Without **clusters** ([theory/hierarchy.md](theory/hierarchy.md)) links begin with all pairs of surfaces. Roots that look around by rays still do.
+- Without **importance** all surfaces matter by their area, all together as much as they did with it.
+- Without **proven visibility** no shaft is tested: rays sample all pairs, and no link is mutual.
+
+| scene | without | CPU s | linking s | rays | links | elements | states | RMS |
+|---|---|---|---|---|---|---|---|---|
+"""
+BUNDLES = """
+## Rays in bundles
+
+Shadow rays are cast pair by pair, sensor by sensor and opening by opening, so that those that follow each other take the same way through the
+ray tracer's tree. Kernels of `benchmarks/rays_benchmark`, million rays a CPU second, in the same minute:
+
+| kernel | million a CPU second |
+|---|---|
+"""
+
+
+def run(program, scene, accuracy, part, folder):
+    study = folder / f"{scene}.toml"
+    study.write_text(validation.study_text(scene))
+    out = subprocess.run([program, study, validation.SCENES[scene][0], str(accuracy), part], check=True,
+                         capture_output=True, text=True, timeout=LONGEST_S).stdout.splitlines()
+    return json.loads(out[0]), [float(line) for line in out[1:]]
+
+
+def rms(scene, sensors):
+    with open(validation.VALIDATION / scene / "reference.csv", newline="") as file:
+        reference = [float(row["illuminance_lux"]) for row in csv.DictReader(file)]
+    return math.sqrt(statistics.fmean((e / r - 1) ** 2 for e, r in zip(sensors, reference, strict=True)))
+
+
+def rows(program, scene, accuracy, repeat, folder):
+    for part, words in PARTS.items():
+        try:
+            runs = [run(program, scene, accuracy, part, folder) for _ in range(repeat)]
+        except subprocess.TimeoutExpired:
+            yield f"| {scene} at {100 * accuracy:g} % | {words} | over {LONGEST_S} | | | | | | |"
+            continue
+        figures, sensors = runs[0]
+        cpu = statistics.median(f["cpu_s"] for f, _ in runs)
+        linking = statistics.median(f["linking_s"] for f, _ in runs)
+        yield (f"| {scene} at {100 * accuracy:g} % | {'–' if part == 'all' else words} | {cpu:.2f} | {linking:.2f} | {figures['rays']:,} | "
+               f"{figures['links']:,} | {figures['elements']:,} | {100 * figures['reached']:.2f} % | {100 * rms(scene, sensors):.2f} % |")
+
+
+def kernels(program):
+    benchmark = program.parent / "rays_benchmark"
+    if not benchmark.is_file():
+        return
+    out = subprocess.run([benchmark, "--benchmark_format=json"], check=True, capture_output=True, text=True).stdout
+    for kernel in json.loads(out)["benchmarks"]:
+        yield f"| `{kernel['name']}` | {kernel['items_per_second'] / 1e6:.1f} |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    default = validation.ROOT / "build" / "release" / "benchmarks" / "solver_parts"
+    parser.add_argument("--program", type=Path, default=default)
+    parser.add_argument("--repeat", type=int, default=3, metavar="N", help="runs a row; the median time counts")
+    parser.add_argument("-o", "--out", type=Path, default=validation.ROOT / "docs" / "what-each-part-saves.md")
+    arguments = parser.parse_args()
+    program = arguments.program.resolve()
+    rays = validation.rays_per_second(program.parents[1] / "clerestory")
+    text = PAGE.format(repeat=arguments.repeat, date=datetime.date.today(),
+                       rays=f"{rays:.1f} million incoherent shadow rays a CPU second" if rays else "an unknown number of rays")
+    with tempfile.TemporaryDirectory() as folder:
+        for scene, accuracy in SCENES.items():
+            for row in rows(program, scene, accuracy, arguments.repeat, Path(folder)):
+                print(row, flush=True)
+                text += row + "\n"
+    text += BUNDLES + "".join(line + "\n" for line in kernels(program))
+    arguments.out.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
