@@ -120,6 +120,25 @@ std::string grid_csv(const lighting::GridResult& grid) {
   return text;
 }
 
+std::string observers_csv(const std::vector<lighting::ObserverResult>& observers) {
+  std::string text = "name,x,y,z,look_x,look_y,look_z,ugr,ugr_error,background_cd_m2,indirect_vertical_lux\n";
+  for (const lighting::ObserverResult& o : observers) {
+    std::string name;
+    for (const char c : o.observer.name) name += c == '"' ? "\"\"" : std::string(1, c);
+    text += '"' + name + '"';
+    for (const double x : {o.observer.eye.x, o.observer.eye.y, o.observer.eye.z}) append_coordinate(text, x, name);
+    for (const double x : {o.observer.look.x, o.observer.look.y, o.observer.look.z}) append_direction(text, x, name);
+    if (std::isfinite(o.ugr))
+      append_light(text, static_cast<float>(o.ugr), name);
+    else
+      text += ',';
+    for (const double x : {o.ugr_error, o.background_cd_m2, o.indirect_lux})
+      append_light(text, static_cast<float>(x), name);
+    text += '\n';
+  }
+  return text;
+}
+
 void write_grid_csv(const std::filesystem::path& file, const lighting::GridResult& grid) {
   write_whole_file(file, grid_csv(grid));
 }

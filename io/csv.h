@@ -25,6 +25,10 @@ std::vector<float> modelling_of(const lighting::GridResult& grid);
 /// The name of a group as part of the name of a column: what would part columns becomes -.
 std::string column_word(std::string_view name);
 
+/// Observers as a table, one a line: `name,x,y,z,look_x,look_y,look_z,ugr,ugr_error,background_cd_m2,indirect_vertical_lux`. The name is in
+/// quotation marks; ugr is empty where nothing glares.
+std::string observers_csv(const std::vector<lighting::ObserverResult>& observers);
+
 /// Writes grid_csv() to a file. Throws MachineError when it cannot be written whole.
 void write_grid_csv(const std::filesystem::path& file, const lighting::GridResult& grid);
 

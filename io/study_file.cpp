@@ -88,6 +88,8 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
     read_sky_table(root, place, study);
     read_luminaires_table(root, place, study);
     read_grids_table(root, place, study);
+    read_observers_table(root, study);
+    read_tasks_table(root, study);
     read_results_table(root, study);
     read_mesh_table(root, study);
     read_accuracy_table(root, study);

@@ -20,25 +20,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestName = 100;  // with any ending, a file name that every file system takes
 
 /// Names of results that are there whatever the grids are called.
-constexpr std::array<std::string_view, 7> kOtherResults{"summary",  "surfaces", "discontinuities", "solution", "result",
-                                                        "previous", "leaks"};
-
-void check_name(const StudyValue& grid, const std::string& name, std::set<std::string>& taken) {
-  const StudyValue* value = grid.find("name");
-  const StudyValue& at = value->file.empty() ? grid : *value;
-  const bool unfit =
-      name.empty() || name.size() > kLongestName || name.front() == '.' ||
-      name.find_first_of("/\\<>:\"|?*") != std::string::npos ||
-      std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }) ||
-      trim(name) != name;
-  if (unfit)
-    throw at.error(fmt::format("the grid's name {} cannot name a file", in_quotes(name)),
-                   "use letters, digits, - and _");
-  if (std::find(kOtherResults.begin(), kOtherResults.end(), lower(name)) != kOtherResults.end())
-    throw at.error(fmt::format("the grid's name {} belongs to another result", in_quotes(name)), "choose another name");
-  if (!taken.insert(lower(name)).second)
-    throw at.error(fmt::format("two grids have the name {}", in_quotes(name)), "give each grid a name of its own");
-}
+constexpr std::array<std::string_view, 8> kOtherResults{"summary", "surfaces", "discontinuities", "solution",
+                                                        "result",  "previous", "leaks",           "observers"};
 
 bool model_has(const mesh::Model& model, const std::string& pattern) {
   const auto fits = [&](const std::string& name) { return name == pattern || matches_glob(pattern, name); };
@@ -129,12 +112,31 @@ bool is_default(const StudyValue& grid) {
 
 }  // namespace
 
+void check_result_name(const StudyValue& table, std::string_view what, const std::string& name,
+                       std::set<std::string>& taken) {
+  const StudyValue* value = table.find("name");
+  const StudyValue& at = value->file.empty() ? table : *value;
+  const bool unfit =
+      name.empty() || name.size() > kLongestName || name.front() == '.' ||
+      name.find_first_of("/\\<>:\"|?*") != std::string::npos ||
+      std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }) ||
+      trim(name) != name;
+  if (unfit)
+    throw at.error(fmt::format("the {}'s name {} cannot name a file", what, in_quotes(name)),
+                   "use letters, digits, - and _");
+  if (std::find(kOtherResults.begin(), kOtherResults.end(), lower(name)) != kOtherResults.end())
+    throw at.error(fmt::format("the {}'s name {} belongs to another result", what, in_quotes(name)),
+                   "choose another name");
+  if (!taken.insert(lower(name)).second)
+    throw at.error(fmt::format("two {}s have the name {}", what, in_quotes(name)), "give each a name of its own");
+}
+
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
   std::set<std::string> taken;
   for (const StudyValue& table : root.find("grids")->children) {
     lighting::GridRequest grid;
     grid.name = text_or(table, "name", "workplane");
-    check_name(table, grid.name, taken);
+    check_result_name(table, "grid", grid.name, taken);
     if (const StudyValue* points = table.find("points")) {
       read_points(table, *points, place, grid);
     } else {

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/model_file.h"
@@ -65,6 +67,18 @@ void read_luminaires_table(const StudyValue& root, StudyPlace& place, lighting::
 /// [[grids]]. Throws InputError for names that are no file names or not unique, surfaces that the model does not have,
 /// and sensor files at fault.
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+
+/// Throws InputError where a name cannot be that of a result's file, or is taken.
+/// @param table  with the key name
+/// @param what   "grid", "task": for the message
+/// @param taken  in small letters; the name is added
+void check_result_name(const StudyValue& table, std::string_view what, const std::string& name,
+                       std::set<std::string>& taken);
+
+/// [[observers]] and [[tasks]]; none for the daylight factor, which has no lamps. After the grids, whose names tasks may not have.
+/// Throws InputError for places and directions that are none, and for tasks that ask nothing.
+void read_observers_table(const StudyValue& root, lighting::Study& study);
+void read_tasks_table(const StudyValue& root, lighting::Study& study);
 
 /// [results] and [groups].
 /// Throws InputError for names of groups that no column can bear.

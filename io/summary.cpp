@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "io/lighting_json.h"
 #include "io/report_json.h"
 #include "io/stopwatch.h"
 
@@ -161,6 +162,9 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json["accuracy"] = accuracy(results);
   json["stopped"] = stop_json(results.stopped);
   json["grids"] = grid_summaries(results.grids);
+  json["observers"] = observers_json(results);
+  json["tasks"] = tasks_json(results);
+  json["luminaires"] = luminaires_json(results);
   json["energy_balance"] = energy_balance(results.energy);
   json["counts"] = counts(results.counts);
   json["rays"] = rays_json(results.phases);
@@ -172,6 +176,7 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
   json.update(times(results, figures));
   json["parts"] = results.surfaces.part_names;
   json["materials"] = materials_json(results.materials);
+  json["material_light"] = material_lights_json(results);
   json["rooms"] = rooms_json(results.rooms);
   json["defects"] = defects_json(results.clean);
   json.update(meetings_json(results.clean));

@@ -21,6 +21,7 @@ constexpr const char* kSurfaces = "surfaces.vtp";
 constexpr const char* kLines = "discontinuities.vtp";
 constexpr const char* kSolution = "solution.h5";
 constexpr const char* kLeaks = "leaks.vtp";
+constexpr const char* kObservers = "observers.csv";
 constexpr const char* kCollection = "result.vtm";
 
 /// Leaves room for an ending within the 255 bytes of a file name.
@@ -79,6 +80,7 @@ void write_files(Output& output, const lighting::Results& results, const ResultC
     write_leaks_vtp(output.add(kLeaks), results, context);
     output.collection.push_back({"leaks", kLeaks});
   }
+  if (!results.observers.empty()) write_whole_file(output.add(kObservers), observers_csv(results.observers));
   write_result_vtm(output.add(kCollection), output.collection);
 }
 
@@ -88,6 +90,7 @@ std::vector<std::string> result_names(const lighting::Study& study, const std::f
   std::vector<std::string> names = {kSummary, kSurfaces, kCollection};
   if (study.mesh.discontinuities) names.emplace_back(kLines);
   if (study.keep_solution) names.emplace_back(kSolution);
+  if (!study.observers.empty() || !study.tasks.empty()) names.emplace_back(kObservers);
   for (const lighting::GridRequest& grid : study.grids) {
     if (grid.by_room) continue;  // named after rooms that are not known yet
     expect_usable_as_file_name(grid.name, file);

@@ -22,13 +22,8 @@ namespace {
 constexpr const char* kRooms = "rooms";
 constexpr std::size_t kNamesInMessage = 3;
 /// Names that other results have.
-const std::set<std::string> kOtherNames{"summary",  "surfaces", "discontinuities", "solution", "result",
-                                        "previous", "leaks"};
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+const std::set<std::string> kOtherNames{"summary", "surfaces", "discontinuities", "solution",
+                                        "result",  "previous", "leaks",           "observers"};
 
 /// How many letters must be changed, added or dropped to make one word of the other [Levenshtein 1966].
 std::size_t letters_apart(const std::string& a, const std::string& b) {
@@ -167,17 +162,6 @@ void keep(std::vector<T>& values, const std::vector<std::uint32_t>& which) {
   values.resize(which.size());
 }
 
-void leave_out_solids(const GridSite& site, Sensors& sensors) {
-  const std::size_t asked = sensors.count();
-  for (std::uint32_t i = 0; i < asked; ++i) {
-    if (!inside_solid(site, sensors.positions[i], sensors.normals[i])) sensors.ids.push_back(i);
-  }
-  sensors.left_out = asked - sensors.ids.size();
-  keep(sensors.positions, sensors.ids);
-  keep(sensors.normals, sensors.ids);
-  if (!sensors.cells.empty()) keep(sensors.cells, sensors.ids);
-}
-
 void number(Sensors& sensors) { std::iota(sensors.ids.begin(), sensors.ids.end(), 0U); }
 
 Sensors place_one(const GridSite& site, const GridRequest& request) {
@@ -207,22 +191,6 @@ Sensors place_in_room(const GridSite& site, const RegionGraph& graph, const Grid
   return sensors;
 }
 
-/// The room's name as one that a file can have too, and no other grid has.
-std::string name_for(const std::string& room, std::set<std::string>& taken) {
-  constexpr std::size_t kLongest = 80;  // bytes: any ending fits behind it
-  std::string name = room.substr(0, kLongest);
-  while (name.size() < room.size() && !name.empty() && (static_cast<unsigned char>(room[name.size()]) & 0xC0U) == 0x80U)
-    name.pop_back();  // not within a letter
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || std::string_view("/\\<>:\"|?*\x7f").find(c) != std::string_view::npos)
-      c = '-';
-  }
-  if (name.empty() || name.front() == '.' || kOtherNames.contains(lower(name))) name = "room " + name;
-  const std::string first = name;
-  for (int n = 2; !taken.insert(lower(name)).second; ++n) name = fmt::format("{} ({})", first, n);
-  return name;
-}
-
 std::vector<NamedSensors> place_by_room(const GridSite& site, const GridRequest& request,
                                         std::vector<std::string>& notices) {
   const RegionGraph graph(site);
@@ -239,7 +207,7 @@ std::vector<NamedSensors> place_by_room(const GridSite& site, const GridRequest&
     if (sensors.count() == 0)
       notices.push_back(fmt::format("{} has no grid: its floor has no place for a sensor", name));
     else
-      grids.push_back({name_for(name, taken), std::move(sensors)});
+      grids.push_back({grid_name(name, taken), std::move(sensors)});
   }
   if (grids.empty()) refuse_rooms(site, request);
   return grids;
@@ -253,6 +221,37 @@ void turn(const GridRequest& request, Sensors& sensors) {
 }
 
 }  // namespace
+
+std::string lower(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+void leave_out_solids(const GridSite& site, Sensors& sensors) {
+  const std::size_t asked = sensors.count();
+  for (std::uint32_t i = 0; i < asked; ++i) {
+    if (!inside_solid(site, sensors.positions[i], sensors.normals[i])) sensors.ids.push_back(i);
+  }
+  sensors.left_out = asked - sensors.ids.size();
+  keep(sensors.positions, sensors.ids);
+  keep(sensors.normals, sensors.ids);
+  if (!sensors.cells.empty()) keep(sensors.cells, sensors.ids);
+}
+
+std::string grid_name(const std::string& room, std::set<std::string>& taken) {
+  constexpr std::size_t kLongest = 80;  // bytes: any ending fits behind it
+  std::string name = room.substr(0, kLongest);
+  while (name.size() < room.size() && !name.empty() && (static_cast<unsigned char>(room[name.size()]) & 0xC0U) == 0x80U)
+    name.pop_back();  // not within a letter
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || std::string_view("/\\<>:\"|?*\x7f").find(c) != std::string_view::npos)
+      c = '-';
+  }
+  if (name.empty() || name.front() == '.' || kOtherNames.contains(lower(name))) name = "room " + name;
+  const std::string first = name;
+  for (int n = 2; !taken.insert(lower(name)).second; ++n) name = fmt::format("{} ({})", first, n);
+  return name;
+}
 
 std::vector<NamedSensors> place_sensors(const GridRequest& request, const SensorPlaces& places,
                                         std::vector<std::string>& notices) {

@@ -43,6 +43,9 @@ struct NamedSensors {
 std::vector<NamedSensors> place_sensors(const GridRequest& request, const SensorPlaces& places,
                                         std::vector<std::string>& notices);
 
+/// A grid's name in small letters: two that differ by these alone would be one file on some systems.
+std::string lower(std::string name);
+
 /// Figures of a grid from its values, errors and daylight factors (if any). A grid of zeros without errors has met any accuracy.
 GridMetrics grid_metrics(const GridResult& grid, double accuracy_target);
 

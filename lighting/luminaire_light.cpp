@@ -226,4 +226,19 @@ AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Receiv
   return sum;
 }
 
+double seen_share(const Scene& scene, std::size_t luminaire, const Point& at) {
+  const Luminaire& own = scene.luminaires[luminaire];
+  const Vector towards = normalized(own.at - at);
+  const Lit lit{scene, own, scene.flush_faces[luminaire]};
+  const auto parts = seen_opening(scene, own, lit.flush, at);
+  const auto whole = whole_opening(own);
+  const auto open = [&](const Point& place) { return from_place(own, place, at, towards); };
+  const MeanOverParts mean(own, open, kFineMean);
+  const bool clipped = parts && whole;
+  const double all = clipped ? mean.mean({&*whole, 1}).value : illuminance_by(own, at, towards).value;
+  if (all <= 0.0) return 0.0;
+  const double seen = clipped ? mean.mean(*parts).value : straight(lit, at, towards, kFineMean).value;
+  return std::min(1.0, seen / all);
+}
+
 }  // namespace clerestory::lighting

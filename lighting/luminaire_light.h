@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "lighting/luminaire_view.h"
 #include "lighting/luminous_area.h"
 #include "lighting/receiver.h"
@@ -23,5 +25,9 @@ AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const 
 /// The same; the groups of the luminaires are given a share of it.
 AreaMean luminaire_illuminance(const Scene& scene, const mesh::Point& at, const Receiver& receiver, double tolerance,
                                double share, GroupSums& groups);
+
+/// The share of what a luminaire sends to a point off the scene's surfaces that gets there straight [0 … 1].
+/// @param luminaire  its number in the scene
+double seen_share(const Scene& scene, std::size_t luminaire, const mesh::Point& at);
 
 }  // namespace clerestory::lighting

@@ -82,9 +82,9 @@ struct GridResult {
 /// What an observer sees of the luminaires.
 struct ObserverResult {
   Observer observer;
-  std::string room;        ///< empty where none is known
-  double ugr = 0.0;        ///< minus infinity where nothing glares
-  double ugr_error = 0.0;  ///< standard uncertainty (k = 1), by that of the background
+  std::optional<std::size_t> room;  ///< among the rooms of the results
+  double ugr = 0.0;                 ///< minus infinity where nothing glares
+  double ugr_error = 0.0;           ///< standard uncertainty (k = 1), by that of the background
   double background_cd_m2 = 0.0;
   double indirect_lux = 0.0;     ///< vertical at the eye
   std::size_t glaring = 0;       ///< luminaires and surfaces that shine towards the eye, before the observer
@@ -114,7 +114,8 @@ struct TaskResult {
   std::vector<std::string> grids;
   std::vector<std::string> observers;
   std::vector<Criterion> criteria;
-  std::vector<std::string> remarks;  ///< one sentence each
+  double power_w_m2_per_100_lux = 0.0;  ///< of the room, by the mean of the task area; 0 where none is stated
+  std::vector<std::string> remarks;     ///< one sentence each
   Criterion::Verdict verdict = Criterion::Verdict::kUndecided;
 };
 
@@ -130,6 +131,7 @@ struct LuminaireUse {
 /// The installed power of a room.
 struct RoomPower {
   std::string room;
+  std::size_t number = 0;  ///< of the room
   std::size_t luminaires = 0;
   double power_w = 0.0;
   double per_area_w_m2 = 0.0;

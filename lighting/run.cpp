@@ -22,15 +22,18 @@
 #include "lighting/grids.h"
 #include "lighting/group_gather.h"
 #include "lighting/importance.h"
+#include "lighting/installed.h"
 #include "lighting/limited_progress.h"
 #include "lighting/lit_mesh.h"
 #include "lighting/local_pass.h"
+#include "lighting/observers.h"
 #include "lighting/parallel.h"
 #include "lighting/radiosity.h"
 #include "lighting/resolve.h"
 #include "lighting/scene.h"
 #include "lighting/shown_mesh.h"
 #include "lighting/surface_values.h"
+#include "lighting/task_results.h"
 #include "mesh/element_tree.h"
 #include "mesh/hash.h"
 #include "mesh/phase_part.h"
@@ -100,6 +103,8 @@ struct AllSensors {
   std::vector<mesh::Point> positions;
   std::vector<mesh::Vector> normals;
   std::vector<std::uint32_t> grids;  ///< number of each sensor's grid
+  std::vector<PlacedTask> tasks;
+  std::vector<Observer> observers;  ///< model coordinates
 
   void add(const Sensors& sensors, std::uint32_t grid) {
     positions.insert(positions.end(), sensors.positions.begin(), sensors.positions.end());
@@ -116,7 +121,38 @@ struct AllSensors {
     }
     grids.resize(positions.size(), grid);
   }
+  /// Makes a grid one of the results.
+  /// @param modelling  whether cylinders stand in its places too
+  void take(GridResult grid, bool modelling, Results& results) {
+    const auto number = static_cast<std::uint32_t>(results.grids.size());
+    if (!grid.sensors.cylinders) add(grid.sensors, number);
+    if (grid.sensors.cylinders || modelling) add_cylinders(grid.sensors, number);
+    if (modelling) grid.cylindrical_lux.resize(grid.sensors.count());
+    results.grids.push_back(std::move(grid));
+  }
 };
+
+/// The grids of the study's tasks, and all observers.
+void take_tasks(const Study& study, const Scene& scene, AllSensors& all, Results& results) {
+  std::set<std::string> taken;
+  for (const GridResult& grid : results.grids) taken.insert(lower(grid.name));
+  all.tasks = place_tasks(study, scene, std::move(taken));
+  for (const PlacedTask& task : all.tasks) {
+    for (std::size_t a = 0; a < kTaskAreas; ++a) {
+      if (!task.areas[a]) continue;
+      GridResult grid;
+      grid.name = task.areas[a]->name;
+      grid.sensors = task.areas[a]->sensors;
+      all.take(std::move(grid), static_cast<TaskArea>(a) == TaskArea::kActivity, results);
+    }
+  }
+  all.observers = all_observers(study, all.tasks);
+  for (const Observer& observer : all.observers) {
+    all.positions.push_back(observer.eye - scene.faces.origin);
+    all.normals.push_back(observer.look);
+  }
+  all.grids.resize(all.positions.size(), static_cast<std::uint32_t>(results.grids.size()));
+}
 
 AllSensors place_all(const Study& study, Scene& scene, Results& results, Progress& progress) {
   AllSensors all;
@@ -128,14 +164,11 @@ AllSensors place_all(const Study& study, Scene& scene, Results& results, Progres
       grid.name = std::move(placed.name);
       grid.sensors = std::move(placed.sensors);
       grid.direction = request.direction;
-      const auto number = static_cast<std::uint32_t>(results.grids.size());
-      if (!grid.sensors.cylinders) all.add(grid.sensors, number);
-      if (grid.sensors.cylinders || request.modelling) all.add_cylinders(grid.sensors, number);
-      if (request.modelling) grid.cylindrical_lux.resize(grid.sensors.count());
-      results.grids.push_back(std::move(grid));
+      all.take(std::move(grid), request.modelling, results);
     }
     progress.advance(++placed_requests / static_cast<double>(study.grids.size()));
   }
+  take_tasks(study, scene, all, results);
   return all;
 }
 
@@ -191,6 +224,16 @@ void evaluate_all(const Study& study, const Solution& solution, const SolutionEr
     evaluate(study, solution, errors, groups, grids[g], mesh::hash(seed, g), part);
     before = end;
   }
+}
+
+/// What observers see, and how tasks are judged by it and by the grids.
+void evaluate_tasks(const Study& study, const Solution& solution, const SolutionErrors& errors,
+                    const AllSensors& sensors, std::uint64_t seed, Results& results, Progress& progress) {
+  if (!sensors.observers.empty()) {
+    PhasePart end(progress, 1.0, 1.0);
+    results.observers = observe(solution, errors, sensors.observers, study.accuracy.target, mesh::mix(seed), end);
+  }
+  results.tasks = judge_tasks(study, solution.scene(), sensors.tasks, results);
 }
 
 /// Where the sky goes out of sight in the planes of a grid's sensors.
@@ -271,6 +314,9 @@ std::size_t for_direct_light(const Solution& solution, std::size_t most) {
 
 void conclude(const Study& study, const Scene& scene, const LimitedProgress& progress, Results& results) {
   results.rooms = rooms_in_model(scene);
+  results.luminaires = luminaire_uses(scene);
+  results.room_power = room_powers(scene);
+  results.material_light = material_lights(results.surfaces);
   results.clean = scene.clean_report;
   results.materials = scene.materials;
   results.assumptions = scene.assumptions;
@@ -369,6 +415,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("gathering", progress);
   progress.enter(Stage::kGathering);
   evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
+  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
 
   clock.begin("balancing", progress);
   progress.enter(Stage::kShowing);
@@ -397,7 +444,7 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   clock.watch(*scene.rays);
 
   clock.begin("placing sensors", progress);
-  place_all(study, scene, results, progress);
+  const AllSensors sensors = place_all(study, scene, results, progress);
 
   clock.begin("meshing", progress);
   Solution solution = unsolved(scene, progress);
@@ -421,6 +468,7 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   clock.begin("gathering", progress);
   progress.enter(LimitedProgress::Stage::kGathering);
   evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
+  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
   conclude(study, scene, progress, results);
   clock.end();
   return results;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,12 @@ bool light_reaches(const GridSite& site, std::uint32_t room);
 /// @returns nothing when no name fits, or no surface has room for sensors; `fits` tells which
 std::vector<GridSurface> named_surfaces(const GridSite& site, const RegionGraph& graph, const std::string& glob,
                                         double height_m, bool& fits);
+
+/// Leaves out the sensors that lie inside solids, and counts them; gives the others their numbers.
+void leave_out_solids(const GridSite& site, Sensors& sensors);
+
+/// A room's name as one that a file can have too, and no other grid has.
+/// @param taken  in small letters; the new one is added
+std::string grid_name(const std::string& room, std::set<std::string>& taken);
 
 }  // namespace clerestory::lighting

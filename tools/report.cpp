@@ -10,6 +10,7 @@
 #include "io/stopwatch.h"
 #include "io/summary.h"
 #include "io/text_table.h"
+#include "tools/task_report.h"
 
 namespace clerestory::tools {
 
@@ -109,8 +110,9 @@ std::string report(const lighting::Results& results, const io::ResultContext& co
                    const std::filesystem::path& out) {
   const bool daylight = context.kind == lighting::Study::Kind::kDaylight;
   return heading(context) + (daylight ? daylight_table(results.grids) : illuminance_table(results.grids)) +
-         modelling_table(results.grids) + "\n" + left_out(results.grids) + figures_of_the_run(results) +
-         places(results, out) + sentences("assumed", results.assumptions) + sentences("note", results.notices);
+         modelling_table(results.grids) + "\n" + task_report(results) + left_out(results.grids) +
+         figures_of_the_run(results) + places(results, out) + sentences("assumed", results.assumptions) +
+         sentences("note", results.notices);
 }
 
 std::string shortfall(const lighting::Results& results) {

@@ -50,6 +50,20 @@ TEST(Csv, HasCylindricalIlluminanceAndModellingWhereTheGridHasThem) {
   EXPECT_NE(csv.find(",0,0.0000001,0,0.25,0\n"), std::string::npos);
 }
 
+TEST(Csv, AnObserverALineWithAnEmptyUgrWhereNothingGlares) {
+  std::vector<lighting::ObserverResult> observers(2);
+  observers[0].observer = {"the \"boss\"", {1, 2, 1.2}, {0, 1, 0}};
+  observers[0].ugr = 18.5;
+  observers[0].ugr_error = 0.25;
+  observers[0].background_cd_m2 = 40;
+  observers[0].indirect_lux = 125;
+  observers[1].ugr = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(observers_csv(observers),
+            "name,x,y,z,look_x,look_y,look_z,ugr,ugr_error,background_cd_m2,indirect_vertical_lux\n"
+            "\"the \"\"boss\"\"\",1,2,1.2,0,1,0,18.5,0.25,40,125\n"
+            "\"\",0,0,0,0,0,0,,0,0,0\n");
+}
+
 TEST(Csv, SensorsKeepTheirNumbersWhereOthersAreLeftOut) {
   auto grid = two_sensors();
   grid.sensors.ids = {3, 7};
