@@ -114,8 +114,9 @@ struct TaskResult {
   std::vector<std::string> grids;
   std::vector<std::string> observers;
   std::vector<Criterion> criteria;
-  double power_w_m2_per_100_lux = 0.0;  ///< of the room, by the mean of the task area; 0 where none is stated
-  std::vector<std::string> remarks;     ///< one sentence each
+  double power_w_m2_per_100_lux =
+      0.0;  ///< of the room, by the mean of the task area; 0 where none is stated or the sky shines too
+  std::vector<std::string> remarks;  ///< one sentence each
   Criterion::Verdict verdict = Criterion::Verdict::kUndecided;
 };
 

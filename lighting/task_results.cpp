@@ -48,7 +48,7 @@ std::vector<TaskResult> judge_tasks(const Study& study, const Scene& scene, cons
     for (const ObserverResult* observer : findings.observers) result.observers.push_back(observer->observer.name);
     const auto power = std::ranges::find(powers, task.room, &RoomPower::number);
     const GridResult* area = findings.area(TaskArea::kTask);
-    if (power != powers.end() && area != nullptr && area->metrics.mean_lux > 0.0)
+    if (power != powers.end() && area != nullptr && !findings.with_daylight && area->metrics.mean_lux > 0.0)
       result.power_w_m2_per_100_lux = 100.0 * power->per_area_w_m2 / area->metrics.mean_lux;
     judged.push_back(std::move(result));
   }
