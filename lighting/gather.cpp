@@ -181,7 +181,9 @@ class Gatherer {
     state.exact_lux += by_luminaires.value;
     see_sun(rays, sensor, at, receiver, state, exact);
     state.exact = exact.lit();
-    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, rays, sensor, at, receiver, state);
+    // Many openings, of which most are of other rooms: where there is no time for more, one ray a replicate must do.
+    const std::uint32_t through = roughly ? 1 : std::max(4U, rays);
+    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, through, sensor, at, receiver, state);
     Part hemisphere;
     ErrorSums wrong{};
     extend(hemisphere, rays, sensor, at, receiver, &wrong);
@@ -282,7 +284,7 @@ class Gatherer {
     Part part;
     part.kind = Part::Kind::kOpening;
     part.which = k;
-    extend(part, std::max(4U, rays), sensor, at, receiver, nullptr);
+    extend(part, rays, sensor, at, receiver, nullptr);
     if (part.lit() == 0) {
       part.most_lux = most_through(scene(), opening_ends_[k], at, receiver);
       if (part.most_lux <= 0.0) return;

@@ -107,7 +107,9 @@ void LimitedProgress::stop(Stop::By by) const {
 
 bool LimitedProgress::is_late(double until) const {
   if (std::isinf(limits_.time_s)) return false;
-  const double end_s = share_of(stage_).time * (limits_.time_s - left_s_);
+  // Before there is anything to show, all of the time may be used: what follows is late then, but there.
+  const double given_s = stage_ == Stage::kPreparing ? limits_.time_s : limits_.time_s - left_s_;
+  const double end_s = share_of(stage_).time * given_s;
   return seconds_since(limits_.start) >= begin_s_ + until * std::max(0.0, end_s - begin_s_);
 }
 

@@ -155,6 +155,13 @@ TEST(LimitedProgress, TimeForWhatFollowsIsLeftButNeverMoreThanHalf) {
   EXPECT_TRUE(later.should_finish());
 }
 
+TEST(LimitedProgress, PreparingMayUseAllOfTheTime) {
+  NoProgress nobody;
+  LimitedProgress progress(nobody, limits_after(90.0, 100.0));
+  progress.leave_time(1e9);
+  EXPECT_FALSE(progress.should_finish());
+}
+
 TEST(LimitedProgress, ShowingThatIsLateEndsWithoutAnError) {
   NoProgress nobody;
   LimitedProgress progress(nobody, limits_after(99.0, 100.0));
