@@ -25,6 +25,7 @@ constexpr double kShareOfSurveys = 0.5;
 std::vector<DirectCandidate> roots_of(const Solution& solution) {
   DirectCandidate all;
   for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) all.openings.push_back(k);
+  all.luminaires = any_luminaires(solution.scene());
   std::vector<DirectCandidate> roots;
   for (const ElementId root : solution.tree().roots()) {
     all.node = root;
@@ -128,6 +129,7 @@ NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMe
   node.node = survey.below.node;
   node.openings = survey.below.openings;
   node.minor = survey.below.minor;
+  node.luminaires = survey.below.luminaires;
   node.open_sky = survey.below.open_sky;
   const LinearValue slope = survey.relative_slope();
   const auto received = static_cast<float>(measured.received);
@@ -144,7 +146,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   DirectLight result;
   result.scale_lux = importance.mean_lux();
   const double tolerance_lux = tolerance * result.scale_lux;
-  const DirectSampler sampler(solution, importance, tolerance_lux, seed);
+  const DirectSampler sampler(solution, importance, tolerance, seed);
   PhasePart looking(progress, 0.0, kShareOfSurveys);
   const Surveyed surveyed = survey_all(solution, sampler, tolerance_lux, looking);
   const std::vector<DirectSurvey>& accepted = surveyed.nodes;
@@ -154,6 +156,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
     part(accepted[i], measured[i], result.groups);
+    result.by_luminaires_lm += solution.tree().area(accepted[i].below.node) * measured[i].by_luminaires;
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
         links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());

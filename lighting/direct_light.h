@@ -6,6 +6,7 @@
 
 #include "lighting/importance.h"
 #include "lighting/links.h"
+#include "lighting/luminaire_view.h"
 #include "lighting/solution.h"
 #include "mesh/progress.h"
 
@@ -14,10 +15,11 @@ namespace clerestory::lighting {
 /// What a node was given by light_directly(), and what it looked at. The nodes are no parts of each other.
 struct NodeDirect {
   mesh::ElementId node;
-  std::vector<std::uint32_t> openings;  ///< through which it may be lit
-  std::vector<std::uint32_t> minor;     ///< others, through which it may be lit so little that it hardly matters
-  bool open_sky = false;                ///< whether it may see the sky by no opening
-  LinearValue received;                 ///< [lux]
+  std::vector<std::uint32_t> openings;    ///< through which it may be lit
+  std::vector<std::uint32_t> minor;       ///< others, through which it may be lit so little that it hardly matters
+  std::vector<LuminaireView> luminaires;  ///< by which it may be lit
+  bool open_sky = false;                  ///< whether it may see the sky by no opening
+  LinearValue received;                   ///< [lux]
 };
 
 /// Light of one source group that a node receives straight, by panes as mirrors too.
@@ -35,11 +37,12 @@ struct DirectLight {
   std::vector<Link> links;
   /// Mean illuminance at the sensors by all light, an estimate [lux]: the scale of tolerances.
   double scale_lux = 0.0;
+  double by_luminaires_lm = 0.0;    ///< flux that nodes receive straight from luminaires
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
   bool out_of_elements = false;     ///< whether nodes stay as they are because the solution may have no more elements
 };
 
-/// Finds what every node receives straight from sky (by itself or through openings) and point sources, and what it sees through
+/// Finds what every node receives straight from sky (by itself or through openings), sun and luminaires, and what it sees through
 /// openings. Starts at the roots and opens nodes where a line over the node misses more than tolerance · scale_lux at the sensors, the
 /// worst first where the solution's limit of elements leaves no room for all.
 DirectLight light_directly(Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed,

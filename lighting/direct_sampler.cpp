@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "lighting/light_paths.h"
-#include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/openings.h"
 #include "lighting/replicates.h"
@@ -79,6 +79,14 @@ Point point_of(const Opening& opening, double a, double b) {
   return t[0] + (r * (1.0 - b) * (t[1] - t[0]) + r * b * (t[2] - t[0]));
 }
 
+/// Errors of sources seen at places of their own are independent.
+void add(const LinearFit& fit, LinearFit& sum) {
+  sum.line.value += fit.line.value;
+  sum.line.slope_u += fit.line.slope_u;
+  sum.line.slope_v += fit.line.slope_v;
+  sum.residual = std::hypot(sum.residual, fit.residual);
+}
+
 }  // namespace
 
 LinearValue DirectSurvey::relative_slope() const {
@@ -104,14 +112,15 @@ struct DirectSampler::Start {
   double weight = 0.0;  ///< share of the cosine-weighted hemisphere that the ray stands for
 };
 
-DirectSampler::DirectSampler(const Solution& solution, const Importance& importance, double tolerance_lux,
+DirectSampler::DirectSampler(const Solution& solution, const Importance& importance, double tolerance,
                              std::uint64_t seed)
     : solution_(solution),
       importance_(importance),
-      tolerance_lux_(tolerance_lux),
+      tolerance_lux_(tolerance * importance.mean_lux()),
       seed_(seed),
       brightest_(sky_luminance_bound(solution.scene().sky)),
-      sun_(solution, seed) {
+      sun_(solution, seed),
+      luminaires_(solution, seed, tolerance * luminaire_flux(solution.scene())) {
   for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
 }
 
@@ -159,9 +168,9 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
     result.below.open_sky = true;
     survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
   }
-  survey_luminaires(e, places, result.total);
   result.fit = fit_line(places.samples, true);
   add_sun(candidate, result);
+  add_luminaires(candidate, result);
   return result;
 }
 
@@ -190,13 +199,14 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   for (const std::uint32_t k : survey.below.minor) {
     if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result, groups);
   }
-  const double by_luminaires = luminaire_mean(e, groups);
   const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
+  const ReplicateMean by_luminaires = luminaires_.mean(e, survey.below.luminaires, allowed, groups);
   const ReplicateMean by_sun = sun_.mean(e, survey.below.sun, allowed);
   groups.add(scene().groups.of_sun(), by_sun.mean);
-  result.received += by_luminaires + by_sun.mean;
-  result.total += by_luminaires + by_sun.mean;
-  result.noise = std::hypot(result.noise, by_sun.standard_error());
+  result.by_luminaires = by_luminaires.mean;
+  result.received += by_luminaires.mean + by_sun.mean;
+  result.total += by_luminaires.mean + by_sun.mean;
+  result.noise = std::hypot(result.noise, by_luminaires.standard_error(), by_sun.standard_error());
   result.groups = groups.lit();
   return result;
 }
@@ -271,25 +281,19 @@ void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, d
   }
 }
 
-void DirectSampler::survey_luminaires(ElementId e, Places& places, double& total) const {
-  if (scene().luminaires.empty()) return;
-  const Vector& normal = solution_.tree().normal(e);
-  for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const double lux = luminaire_illuminance(scene(), places.lifted[i], normal, kRoughMean).value;
-    places.samples[i].value += lux;
-    total += lux / kPoints;
-  }
-}
-
 /// The edges of the sun's light ask for more places than what is smooth: it is fitted by itself.
 void DirectSampler::add_sun(const DirectCandidate& candidate, DirectSurvey& result) const {
   const SunSurvey sun = sun_.survey(candidate.node, candidate.sun);
   result.below.sun = sun.view;
-  result.fit.line.value += sun.fit.line.value;
-  result.fit.line.slope_u += sun.fit.line.slope_u;
-  result.fit.line.slope_v += sun.fit.line.slope_v;
-  result.fit.residual = std::hypot(result.fit.residual, sun.fit.residual);
+  add(sun.fit, result.fit);
   result.total += sun.mean_lux;
+}
+
+void DirectSampler::add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const {
+  LuminaireSurvey survey = luminaires_.survey(candidate.node, candidate.luminaires);
+  result.below.luminaires = std::move(survey.views);
+  add(survey.fit, result.fit);
+  result.total += survey.mean_lux;
 }
 
 /// A ray from a place of a node towards an opening, or into the open hemisphere.
@@ -380,19 +384,6 @@ double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32
   const ReplicateMean lux = mean_of_replicates(means);
   result.total += lux.mean;
   return lux.variance;
-}
-
-double DirectSampler::luminaire_mean(ElementId e, GroupSums& groups) const {
-  constexpr std::uint32_t kPlaces = 32;
-  if (scene().luminaires.empty()) return 0.0;
-  const mesh::ElementTree& tree = solution_.tree();
-  const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 3));
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < kPlaces; ++i) {
-    const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * tree.normal(e);
-    sum += luminaire_illuminance(scene(), at, tree.normal(e), kRoughMean, 1.0 / kPlaces, groups).value / kPlaces;
-  }
-  return sum;
 }
 
 }  // namespace clerestory::lighting

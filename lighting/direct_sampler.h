@@ -6,6 +6,7 @@
 
 #include "lighting/importance.h"
 #include "lighting/linear_fit.h"
+#include "lighting/luminaire_sampler.h"
 #include "lighting/seen_surfaces.h"
 #include "lighting/solution.h"
 #include "lighting/sun_sampler.h"
@@ -21,12 +22,13 @@ struct DirectCandidate {
   std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
   bool open_sky = true;                 ///< may see the sky by no opening
   SunView sun = SunView::kUnknown;
+  std::vector<LuminaireView> luminaires;  ///< those that may be seen
 };
 
 /// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
 /// is left to measure().
 struct DirectSurvey {
-  LinearFit fit;          ///< of sky, point sources and the guess of what lies beyond openings
+  LinearFit fit;          ///< of sky, sun, luminaires and the guess of what lies beyond openings
   double total = 0.0;     ///< the mean of these [lux]
   DirectCandidate below;  ///< what the node, or its children, need to look at
 
@@ -36,7 +38,8 @@ struct DirectSurvey {
 
 /// What a node receives on the mean, with independent places and directions.
 struct DirectMeasurement {
-  double received = 0.0;  ///< from sky and point sources [lux]
+  double received = 0.0;       ///< from sky, sun and luminaires [lux]
+  double by_luminaires = 0.0;  ///< the part of it that comes from luminaires [lux]
   /// The same by group, where groups are told apart.
   std::vector<GroupLight> groups;
   double total = 0.0;  ///< with the guess of what lies beyond openings [lux]
@@ -44,11 +47,12 @@ struct DirectMeasurement {
   std::vector<SeenSurface> beyond;
 };
 
-/// Looks from nodes at the sky, through openings, and at point sources.
+/// Looks from nodes at the sky, through openings, at the sun and at luminaires.
 class DirectSampler {
  public:
-  /// @param tolerance_lux  error at the sensors that one node's direct light may cause
-  DirectSampler(const Solution& solution, const Importance& importance, double tolerance_lux, std::uint64_t seed);
+  /// @param tolerance  error at the sensors that one node's direct light may cause, as a share of their mean; of all flux of luminaires, the share
+  ///                   that may be missed on one
+  DirectSampler(const Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed);
 
   [[nodiscard]] DirectSurvey survey(const DirectCandidate& candidate) const;
   /// The error at the sensors [lux] where a line over the node stands for what was surveyed.
@@ -75,11 +79,10 @@ class DirectSampler {
   void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
   void add_sun(const DirectCandidate& candidate, DirectSurvey& result) const;
-  void survey_luminaires(mesh::ElementId e, Places& places, double& total) const;
+  void add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const;
   double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result,
                      GroupSums& groups) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
-  double luminaire_mean(mesh::ElementId e, GroupSums& groups) const;
 
   const Solution& solution_;
   const Importance& importance_;
@@ -87,6 +90,7 @@ class DirectSampler {
   std::uint64_t seed_;
   double brightest_;  ///< no more luminance outdoors [cd/m²]
   SunSampler sun_;
+  LuminaireSampler luminaires_;
   std::vector<mesh::ShaftEnd> ends_;  ///< the openings
 };
 

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 
 #include "lighting/closure.h"
 #include "lighting/light_paths.h"
+#include "lighting/luminaire_mounting.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
+#include "lighting/web_sampler.h"
 #include "mesh/hash.h"
 
 namespace clerestory::lighting {
@@ -92,6 +96,35 @@ Measured measure(const Solution& solution, const std::vector<ElementId>& element
   return sum;
 }
 
+/// Where a ray from a luminaire starts, in a direction of its own axes; nothing where what it is flush with takes it.
+std::optional<Point> start(const Luminaire& luminaire, const std::vector<mesh::FaceId>& flush, const Vector& own) {
+  if (own.z <= 0.0) return light_start(luminaire, flush);
+  if (!flush.empty()) return std::nullopt;
+  return luminaire.at + (luminaire.at - light_start(luminaire, flush));
+}
+
+/// The flux of the luminaires that lands on opaque surfaces [lm].
+double landed_of_luminaires(const Scene& scene, std::uint64_t seed) {
+  constexpr std::uint32_t kRaysEach = 1U << 12U;
+  std::vector<double> landed(scene.luminaires.size());
+  parallel_for(landed.size(), [&](std::size_t k) {
+    const Luminaire& luminaire = scene.luminaires[k];
+    if (luminaire.flux_lm() <= 0.0) return;
+    const WebSampler sampler(*luminaire.web);
+    const SobolPoints points(mesh::hash(mesh::hash(seed, 4712), k));
+    Landing landing;
+    for (std::uint32_t i = 0; i < kRaysEach; ++i) {
+      const WebSample s = sampler.sample(points.at(i, 0), points.at(i, 1));
+      const auto from = start(luminaire, scene.flush_faces[k], s.direction);
+      if (!from || s.weight <= 0.0) continue;
+      const Vector d = luminaire.place(s.direction) - luminaire.at;
+      follow(scene, *from, d, static_cast<float>(s.weight), PathRule{PathRule::Part::kAll, -1, true}, landing);
+    }
+    landed[k] = luminaire.flux_lm() * landing.share / kRaysEach;
+  });
+  return std::accumulate(landed.begin(), landed.end(), 0.0);
+}
+
 /// Sum of |A_r F_rs - A_s F_sr| over the pairs linked both ways, as a share of what they exchange.
 double reciprocity(const Solution& solution, const Arrivals& arrivals) {
   const mesh::ElementTree& tree = solution.tree();
@@ -141,6 +174,8 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
     balance.received_lm += area * mean_direct(solution, e);
     balance.absorbed_lm += area * irradiance_mean(solution, e) - (sent - area * own);
   }
+  balance.received_lm -= transport.by_luminaires_lm;
+  balance.emitted_lm += luminaire_flux(scene);
   const double sent = flux_before.back();
   const double in = balance.emitted_lm + balance.received_lm;
   if (sent > 0.0) {
@@ -149,6 +184,7 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
     balance.left_lm = sent * (1.0 - measured.landed);
     balance.closure = std::abs(measured.factors - measured.landed);
   }
+  balance.left_lm += luminaire_flux(scene) - landed_of_luminaires(scene, seed);
   balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;
   balance.reciprocity = reciprocity(solution, transport.arrivals);
   return balance;

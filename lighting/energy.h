@@ -10,7 +10,7 @@
 namespace clerestory::lighting {
 
 /// The energy balance of a solution. What leaves is measured by rays from the surfaces, in proportion to the flux that they send
-/// out; it is not the remainder.
+/// out, and from the luminaires; it is not the remainder.
 EnergyBalance energy_balance(Solution& solution, const Transport& transport, std::uint64_t seed);
 
 }  // namespace clerestory::lighting

@@ -165,7 +165,11 @@ double sampling_goal(const SensorState& state, double allowed_lux) {
 class Gatherer {
  public:
   Gatherer(const Solution& solution, const SolutionErrors& errors, double accuracy, std::uint64_t seed)
-      : solution_(solution), errors_(errors), rays_(solution, seed), first_rays_(first_rays(accuracy)) {
+      : solution_(solution),
+        errors_(errors),
+        rays_(solution, seed),
+        first_rays_(first_rays(accuracy)),
+        luminaires_(any_luminaires(solution.scene())) {
     for (const Opening& opening : scene().openings) opening_ends_.push_back(shaft_end(opening));
   }
 
@@ -177,7 +181,7 @@ class Gatherer {
     GroupSums exact(scene().groups);
     for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k)
       see_emitter(k, rays, sensor, at, receiver, state, exact);
-    const AreaMean by_luminaires = luminaire_illuminance(scene(), at, receiver, kFineMean, 1.0, exact);
+    const AreaMean by_luminaires = luminaire_illuminance(scene(), luminaires_, at, receiver, kFineMean, 1.0, exact);
     state.exact_lux += by_luminaires.value;
     see_sun(rays, sensor, at, receiver, state, exact);
     state.exact = exact.lit();
@@ -306,6 +310,7 @@ class Gatherer {
   SensorRays rays_;
   std::uint32_t first_rays_;
   std::vector<mesh::ShaftEnd> opening_ends_;
+  std::vector<LuminaireView> luminaires_;
 };
 
 /// Calls body(sensor, should_finish) for all sensors, a batch at a time; should_finish() tells whether the time of the batch is over.

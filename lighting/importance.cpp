@@ -118,7 +118,7 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
     area_m2 += tree.area(root);
     flux_lm += tree.area(root) * luminance(scene.side_exitance(tree.face_side(root)), scene.channel_weights);
   }
-  for (const Luminaire& luminaire : scene.luminaires) flux_lm += luminaire.flux_lm();
+  flux_lm += luminaire_flux(scene);
   const double by_sky = scene.has_sky() ? kSkyShare * scene.sky.ground_illuminance_lux() : 0.0;
   return by_sky + (area_m2 > 0.0 ? flux_lm / area_m2 : 0.0);
 }

@@ -160,6 +160,67 @@ bool is_smaller(const mesh::ElementTree& tree, ElementId a, ElementId b) {
 /// Whether rays are cast between the pieces, and which of them receives: openings are crossed by rays from the receiver.
 enum class RaysFrom { kNobody, kHere, kThere };
 
+/// A place on a piece that a ray from elsewhere goes to, and its share of the form factor, but for a factor that all share.
+struct Aim {
+  Point at;
+  double kernel = 0.0;
+};
+
+/// Aims at a piece: at places even by area where the piece is far, so that all count about alike; else in directions of a cosine-weighted hemisphere that hit
+/// it, as most of the form factor may belong to a small part of it, which few places even by area would miss and others, hidden, stand for.
+class Aimer {
+ public:
+  Aimer(const mesh::ElementTree& tree, ElementId at) : tree_(tree), at_(at) {}
+
+  /// Towards those places of a piece that points give, from n on.
+  /// @param factor  form factor of the piece from there
+  void aim(const Point& from, const Vector& normal, double factor, const SobolPoints& points, std::uint32_t n,
+           std::span<Aim> aims) const {
+    const bool near = tree_.radius(at_) > kNear * norm(tree_.centroid(at_) - from);
+    if (!near || factor < kLeastShare || !by_cosine(from, normal, points, n, aims))
+      by_area(from, normal, points, n, aims);
+  }
+
+ private:
+  /// Size over distance from which on the kernel is far from even.
+  static constexpr double kNear = 0.5;
+  /// Of the hemisphere, that a piece must fill for so many directions to hit it, out of kTries.
+  static constexpr double kLeastShare = 0.04;
+  static constexpr std::uint32_t kTries = 64;
+
+  void by_area(const Point& from, const Vector& normal, const SobolPoints& points, std::uint32_t n,
+               std::span<Aim> aims) const {
+    for (Aim& aim : aims) {
+      const Point q = tree_.sample(at_, points.at(n, 0), points.at(n, 1));
+      const Vector to = q - from;
+      const double distance2 = dot(to, to);
+      const double cosines = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, tree_.normal(at_)));
+      aim = {q, cosines / (distance2 * distance2)};
+      ++n;
+    }
+  }
+
+  /// Nothing where too few directions hit the piece.
+  bool by_cosine(const Point& from, const Vector& normal, const SobolPoints& points, std::uint32_t n,
+                 std::span<Aim> aims) const {
+    const mesh::Frame frame = mesh::frame_around(normal);
+    const Vector& facing = tree_.normal(at_);
+    const double height = dot(tree_.centroid(at_) - from, facing);
+    std::size_t found = 0;
+    for (std::uint32_t i = kTries * n; i < kTries * (n + aims.size()) && found < aims.size(); ++i) {
+      const Vector d = cosine_direction(frame, points.at(i, 2), points.at(i, 3));
+      const double along = dot(d, facing);
+      if (along >= 0.0) continue;
+      const Point q = from + height / along * d;
+      if (tree_.holds(at_, q)) aims[found++] = {q, 1.0};
+    }
+    return found == aims.size();
+  }
+
+  const mesh::ElementTree& tree_;
+  ElementId at_;
+};
+
 /// Looks from one piece at another. Visibility, where asked for, is the kernel-weighted share of sampled points that each place sees.
 View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, ElementId at, RaysFrom rays,
           std::uint64_t seed) {
@@ -168,6 +229,7 @@ View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, Ele
   const Vector& normal = tree.normal(from);
   const Vector& other_normal = tree.normal(at);
   const Places places = places_on(tree, from);
+  const Aimer aimer(tree, at);
   const SobolPoints points(mesh::hash(mesh::hash(tree.key(from), tree.key(at)), seed));
   const double lift = scene.rays->offset_m();
   const std::size_t each = (kRays + places.count - 1) / places.count;
@@ -183,22 +245,18 @@ View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, Ele
     if (rays == RaysFrom::kNobody || factor <= 0.0) continue;
     std::array<mesh::Segment, kRays> segments;
     std::array<float, kRays> passed{};
-    std::array<double, kRays> kernel{};
+    std::array<Aim, kRays> aims;
+    aimer.aim(place, normal, factor, points, static_cast<std::uint32_t>(i * each), std::span(aims).first(each));
     double all = 0.0;
     for (std::size_t j = 0; j < each; ++j) {
-      const auto n = static_cast<std::uint32_t>(i * each + j);
-      const Point q = tree.sample(at, points.at(n, 0), points.at(n, 1));
-      const Vector to = q - place;
-      const double distance2 = dot(to, to);
-      kernel[j] = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, other_normal)) / (distance2 * distance2);
-      all += kernel[j];
-      segments[j] = {place + lift * normal, q + lift * other_normal};
+      all += aims[j].kernel;
+      segments[j] = {place + lift * normal, aims[j].at + lift * other_normal};
       if (rays == RaysFrom::kThere) std::swap(segments[j].from, segments[j].to);
     }
     scene.rays->transmittance(std::span(segments).first(each), std::span(passed).first(each));
     double seen = 0.0;
     for (std::size_t j = 0; j < each; ++j) {
-      seen += kernel[j] * passed[j];
+      seen += aims[j].kernel * passed[j];
       view.passing += passed[j] > 0.0F ? 1.0 : 0.0;
     }
     view.rays += static_cast<double>(each);
@@ -280,10 +338,11 @@ LinkDecision::Kind Linker::split_for_receiver(const Link& link) const {
   }
   const ElementId s = link.source.element();
   const double other = tree.radius(s);
-  const bool uneven = deviation(link.source) > 0.02F * solution_.radiosity_mean(s);
-  // A proven view of an even source gains nothing by splitting the source: its factor is exact.
+  // In a proven view all that is wrong with the factor is how it runs over the receiver: splitting the source mends its unevenness alone.
+  const bool uneven = uneven_light(tree, link, deviation(link.source)) > link.error * solution_.radiosity_mean(s);
   const bool own_first = link.split_small ? is_smaller(tree, link.receiver, s) : own >= other;
-  const bool receiver_first = (link.visibility == Visibility::kVisible && !uneven) || own_first;
+  const double peak = unseen_peak(link.receiver, link.factor * tree.area(link.receiver), tree.area(s));
+  const bool receiver_first = link.visibility == Visibility::kVisible ? !uneven : own_first || 2.0 * peak > link.error;
   if (receiver_first && own > kSmallest) return Kind::kSplitReceiver;
   if (other > kSmallest) return Kind::kSplitSource;
   return own > kSmallest ? Kind::kSplitReceiver : Kind::kLink;

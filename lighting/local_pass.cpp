@@ -36,6 +36,8 @@ constexpr double kMostRays = 2.56;
 constexpr double kGoal = 2.0;
 /// Light that rays may have missed is looked into where it would be more than this share of the accuracy.
 constexpr double kNeglected = 0.3;
+/// What luminaires that are near give is known to this share of the accuracy.
+constexpr double kLampShare = 0.125;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
 /// which are more evenly spread together.
 constexpr std::size_t kParts = 8;
@@ -148,10 +150,12 @@ LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std
       nodes_(nodes),
       node_at_(solution.tree().size(), kNone),
       emitters_(emitters(solution)),
+      luminaires_(any_luminaires(solution.scene())),
       numbers_(kSeed),
       rays_(ray_count(kSourceRays / accuracy, 8.0)),
       most_rays_(ray_count(kMostRays / accuracy, 64.0)),
       accuracy_(accuracy),
+      fine_(std::clamp(kLampShare * accuracy, kFineMean, kRoughMean)),
       dark_lux_(dark_lux) {
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
@@ -170,7 +174,7 @@ bool LocalPass::as_solved(ElementId element) const {
 std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& point) const {
   if (as_solved(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
-  return light(element, {point + solution_.scene().rays->offset_m() * normal, normal});
+  return light(element, {point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)});
 }
 
 std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Point& point,
@@ -178,15 +182,13 @@ std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Poi
   if (as_solved(element)) return std::nullopt;
   const double above = std::max(0.0, dot(limit.at - point, limit.normal));
   const Vector lift = solution_.scene().rays->offset_m() * solution_.tree().normal(element);
-  return light(element, {point + above * limit.normal + lift, limit.normal});
+  return light(element, {point + above * limit.normal + lift, limit.normal, luminaires_});
 }
 
 LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) const {
   const mesh::ElementTree& tree = solution_.tree();
   const Scene& scene = solution_.scene();
-  Sum sum(solution_, errors_,
-          luminaire_illuminance(scene, receiver.from, receiver.normal, kFineMean).value +
-              sun_illuminance(scene, receiver.from, receiver.normal));
+  Sum sum(solution_, errors_, by_luminaires(receiver, fine_) + sun_illuminance(scene, receiver.from, receiver.normal));
   for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
@@ -202,8 +204,8 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
 std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point) const {
   if (as_solved(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
-  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal};
-  double lux = luminaire_illuminance(solution_.scene(), receiver.from, normal, kRoughMean).value;
+  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
+  double lux = by_luminaires(receiver, kRoughMean);
   lux += sun_illuminance(solution_.scene(), receiver.from, normal);
   for (const Emitter& emitter : emitters_) {
     const EmitterView view = look(solution_, emitter, receiver.from, normal);
@@ -212,6 +214,19 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
     lux += emitter.exitance * seen.factor;
   }
   return lux;
+}
+
+double LocalPass::by_luminaires(const Receiver& receiver, double tolerance) const {
+  return luminaire_illuminance(solution_.scene(), receiver.luminaires, receiver.from, receiver.normal, tolerance).value;
+}
+
+/// As points of an element see them.
+std::span<const LuminaireView> LocalPass::luminaires(ElementId element) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  for (ElementId up = element; up.valid(); up = tree.parent(up)) {
+    if (node_at_[up.index()] != kNone) return nodes_[node_at_[up.index()]].luminaires;
+  }
+  return luminaires_;
 }
 
 /// Where it is neither hidden nor wholly seen, the share that is seen, each place weighed by what it gives.

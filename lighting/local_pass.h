@@ -51,11 +51,14 @@ class LocalPass {
   struct Receiver {
     mesh::Point from;
     mesh::Vector normal;
+    std::span<const LuminaireView> luminaires;  ///< those that it may see
   };
   class Sum;
 
   [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
+  [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
+  [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
   void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] double missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
@@ -67,11 +70,13 @@ class LocalPass {
   std::span<const NodeDirect> nodes_;
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
   std::vector<Emitter> emitters_;
+  std::vector<LuminaireView> luminaires_;  ///< all, of which nothing is known
   std::vector<mesh::ShaftEnd> opening_ends_;
   SobolPoints numbers_;  ///< the same at all points: differences between these are then the light's own
   std::uint32_t rays_;   ///< towards a source that is not wholly seen
   std::uint32_t most_rays_;
   double accuracy_;
+  double fine_;  ///< share of a luminaire's light that may be missed at a point
   double dark_lux_;
 };
 

@@ -97,12 +97,14 @@ bool is_near(const Luminaire& luminaire, const Point& at) {
   return norm(luminaire.at - at) < kFarInSizes * luminaire.opening.size_m();
 }
 
-AreaMean straight(const Lit& lit, const Point& at, const Receiver& receiver, double tolerance) {
+AreaMean straight(const Lit& lit, const LuminaireView& view, const Point& at, const Receiver& receiver, double tolerance) {
+  const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, receiver); };
   if (is_near(lit.luminaire, at)) {
-    const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, receiver); };
-    if (const auto parts = seen_opening(lit.scene, lit.luminaire, lit.flush, at))
-      return MeanOverParts(lit.luminaire, open, tolerance).mean(*parts);
+    const auto parts = view.known ? seen_opening(lit.luminaire, view.before, at)
+                                  : seen_opening(lit.scene, lit.luminaire, lit.flush, at);
+    if (parts) return MeanOverParts(lit.luminaire, open, tolerance).mean(*parts);
   }
+  if (view.clear()) return mean_over_opening(lit.luminaire, at, open, tolerance);
   return mean_over_opening(
       lit.luminaire, at,
       [&](const Point& place) {
@@ -203,20 +205,22 @@ double luminaire_glance(const Scene& scene, const Point& at, const Vector& norma
   return sum;
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, double tolerance) {
+AreaMean luminaire_illuminance(const Scene& scene, std::span<const LuminaireView> views, const Point& at,
+                               const Receiver& receiver, double tolerance) {
   GroupSums none;
-  return luminaire_illuminance(scene, at, receiver, tolerance, 0.0, none);
+  return luminaire_illuminance(scene, views, at, receiver, tolerance, 0.0, none);
 }
 
-AreaMean luminaire_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, double tolerance,
-                               double share, GroupSums& groups) {
+AreaMean luminaire_illuminance(const Scene& scene, std::span<const LuminaireView> views, const Point& at,
+                               const Receiver& receiver, double tolerance, double share, GroupSums& groups) {
   AreaMean sum;
   const auto add_to_group = [&](std::size_t k, const AreaMean& light) {
     add(light, sum);
     groups.add(scene.luminaire_group[k], share * light.value);
   };
   const auto lit = [&](std::size_t k) { return Lit{scene, scene.luminaires[k], scene.flush_faces[k]}; };
-  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_to_group(k, straight(lit(k), at, receiver, tolerance));
+  for (const LuminaireView& view : views)
+    add_to_group(view.luminaire, straight(lit(view.luminaire), view, at, receiver, tolerance));
   if (scene.luminaires.empty()) return sum;
   const double little = tolerance * sum.value;
   for (const mesh::FaceId pane : scene.panes) {

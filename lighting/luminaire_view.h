@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,8 +12,27 @@
 #include "lighting/scene.h"
 #include "mesh/geometry.h"
 #include "mesh/seen_parts.h"
+#include "mesh/shafts.h"
 
 namespace clerestory::lighting {
+
+/// A luminaire as a piece of surface may see it: what may stand between them is found once for all of its points.
+struct LuminaireView {
+  std::uint32_t luminaire = 0;  ///< index in the scene's
+  bool known = false;           ///< whether `before` is all that may; else each point looks for itself
+  std::vector<std::span<const mesh::Point>> before;  ///< opaque convex polygons, of the scene's shafts
+
+  [[nodiscard]] bool clear() const { return known && before.empty(); }
+};
+
+/// All luminaires of a scene, of which nothing is known.
+std::vector<LuminaireView> any_luminaires(const Scene& scene);
+
+/// Those of luminaires that a piece of surface may see, with what stands before them; such are left out as are proven to be hidden from all of it
+/// [Haines, Wallace 1994], or lie behind it.
+/// @param known  of a larger piece that holds it
+std::vector<LuminaireView> narrowed(const Scene& scene, const mesh::ShaftEnd& piece,
+                                    std::span<const LuminaireView> known);
 
 /// The parts of a flat rectangular luminous opening that a point sees past opaque faces but those that the luminaire is mounted in, by
 /// clipping. Nothing where that does not tell: the opening has another shape, the point is not before it, or panes, a crowd or what reaches
@@ -20,6 +40,11 @@ namespace clerestory::lighting {
 /// @param flush  flush_faces() of it
 std::optional<std::vector<mesh::ConvexPiece>> seen_opening(const Scene& scene, const Luminaire& luminaire,
                                                            std::span<const mesh::FaceId> flush, const mesh::Point& at);
+
+/// The same where it is known what may stand between them.
+std::optional<std::vector<mesh::ConvexPiece>> seen_opening(const Luminaire& luminaire,
+                                                           std::span<const std::span<const mesh::Point>> before,
+                                                           const mesh::Point& at);
 
 /// All of a flat rectangular luminous opening; nothing of another.
 std::optional<mesh::ConvexPiece> whole_opening(const Luminaire& luminaire);

@@ -397,6 +397,12 @@ Scene build_scene(const Study& study, Progress* progress) {
   return scene;
 }
 
+double luminaire_flux(const Scene& scene) {
+  double flux_lm = 0.0;
+  for (const Luminaire& luminaire : scene.luminaires) flux_lm += luminaire.flux_lm();
+  return flux_lm;
+}
+
 std::vector<Results::MaterialUse> material_uses(const Study& study) {
   std::vector<Results::MaterialUse> uses;
   for (const Material& m : study.materials) uses.push_back({m.name, m.became, m.why});

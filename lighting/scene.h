@@ -89,6 +89,9 @@ struct Scene {
 /// @param progress  hears of the steps as phases; may be null
 Scene build_scene(const Study& study, Progress* progress = nullptr);
 
+/// Flux of all luminaires [lm].
+double luminaire_flux(const Scene& scene);
+
 /// What each material of a study became, and why.
 std::vector<Results::MaterialUse> material_uses(const Study& study);
 

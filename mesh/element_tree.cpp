@@ -332,6 +332,10 @@ std::uint32_t ElementTree::step_down(Barycentric& at) {
   return 3;
 }
 
+bool ElementTree::holds(ElementId e, const Point& point) const {
+  return start_holding(e.value, point, kEdgeSlack).valid();
+}
+
 ElementId ElementTree::child_at(ElementId e, const Point& point) const {
   assert(is_triangle(e) && has_children(e));
   Barycentric at = barycentric(e, point);
@@ -359,21 +363,27 @@ ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point
   if (roots.empty()) return {};
   // Slack grows until something holds the point: hits are rounded, and may lie just outside the face.
   for (double slack = kEdgeSlack; slack < 1.0; slack *= 30.0) {
-    std::array<std::uint32_t, 64> stack;
     for (const ElementId r : roots) {
-      std::size_t depth = 0;
-      stack[depth++] = r.value;
-      while (depth > 0) {
-        const std::uint32_t id = stack[--depth];
-        const Node& n = nodes_[id];
-        if (!holds(n, point, slack)) continue;
-        if (n.triangle) return ElementId(id);
-        stack[depth++] = n.first_child + 1;
-        stack[depth++] = n.first_child;
-      }
+      const ElementId found = start_holding(r.value, point, slack);
+      if (found.valid()) return found;
     }
   }
   return ElementId(start_node_[node(roots.front()).begin]);
+}
+
+ElementId ElementTree::start_holding(std::uint32_t top, const Point& point, double slack) const {
+  std::array<std::uint32_t, 64> stack;
+  std::size_t depth = 0;
+  stack[depth++] = top;
+  while (depth > 0) {
+    const std::uint32_t id = stack[--depth];
+    const Node& n = nodes_[id];
+    if (!holds(n, point, slack)) continue;
+    if (n.triangle) return ElementId(id);
+    stack[depth++] = n.first_child + 1;
+    stack[depth++] = n.first_child;
+  }
+  return {};
 }
 
 }  // namespace clerestory::mesh

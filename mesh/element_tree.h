@@ -80,6 +80,8 @@ class ElementTree {
   /// Splits a triangle without children into four by its edges' midpoints. Serial.
   void split(ElementId e);
 
+  /// Whether a point of its plane lies in a node.
+  [[nodiscard]] bool holds(ElementId e, const Point& point) const;
   /// The child of a triangle that holds a point of it, or is nearest.
   [[nodiscard]] ElementId child_at(ElementId e, const Point& point) const;
   /// The node below a triangle, or itself, that holds a point of it, as deep as enter(ElementId) allows.
@@ -133,6 +135,8 @@ class ElementTree {
   void split_group(const Triangulation& mesh, std::uint32_t group);
   [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
   [[nodiscard]] bool holds(const Node& node, const Point& point, double slack) const;
+  /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
+  [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
   [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
   /// The number of the child that a place of a triangle belongs to; the place becomes that of the child.
   static std::uint32_t step_down(Barycentric& at);

@@ -91,7 +91,7 @@ double lit(const Model& model, const Luminaire& lamp, const Point& at, const Vec
   }
   study.luminaires.push_back(lamp);
   const test::Stage stage(study);
-  return luminaire_illuminance(stage.scene, stage.local(at), normal, kFineMean).value;
+  return luminaire_illuminance(stage.scene, any_luminaires(stage.scene), stage.local(at), normal, kFineMean).value;
 }
 
 double lit(const Model& model) { return lit(model, kLamp, kSensor, kUp); }

@@ -86,9 +86,9 @@ TEST(MeanOverParts, OfAHalfHiddenPanelIsExactToItsTolerance) {
   const Point at{1.9, 2, 0};
   const double expected = exitance * point_form_factor(at, kUp, edges, {0, 0, -1});
   const Scene& scene = room.stage.scene;
-  const AreaMean fine = luminaire_illuminance(scene, room.stage.local(at), kUp, kFineMean);
+  const AreaMean fine = luminaire_illuminance(scene, any_luminaires(scene), room.stage.local(at), kUp, kFineMean);
   EXPECT_NEAR(fine.value, expected, 1e-4 * expected);
-  const AreaMean rough = luminaire_illuminance(scene, room.stage.local(at), kUp, kRoughMean);
+  const AreaMean rough = luminaire_illuminance(scene, any_luminaires(scene), room.stage.local(at), kUp, kRoughMean);
   EXPECT_NEAR(rough.value, expected, 1e-2 * expected);
 }
 
