@@ -156,7 +156,9 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
     part(accepted[i], measured[i], result.groups);
-    result.by_luminaires_lm += solution.tree().area(accepted[i].below.node) * measured[i].by_luminaires;
+    const ElementId node = accepted[i].below.node;
+    if (!solution.scene().is_pane(solution.tree().face_side(node)))
+      result.by_luminaires_lm += solution.tree().area(node) * measured[i].by_luminaires;
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
         links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());

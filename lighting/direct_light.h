@@ -37,7 +37,7 @@ struct DirectLight {
   std::vector<Link> links;
   /// Mean illuminance at the sensors by all light, an estimate [lux]: the scale of tolerances.
   double scale_lux = 0.0;
-  double by_luminaires_lm = 0.0;    ///< flux that nodes receive straight from luminaires
+  double by_luminaires_lm = 0.0;    ///< flux that opaque nodes receive straight from luminaires
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
   bool out_of_elements = false;     ///< whether nodes stay as they are because the solution may have no more elements
 };

@@ -174,7 +174,7 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
     balance.received_lm += area * mean_direct(solution, e);
     balance.absorbed_lm += area * irradiance_mean(solution, e) - (sent - area * own);
   }
-  balance.received_lm -= transport.by_luminaires_lm;
+  balance.received_lm = std::max(0.0, balance.received_lm - transport.by_luminaires_lm);
   balance.emitted_lm += luminaire_flux(scene);
   const double sent = flux_before.back();
   const double in = balance.emitted_lm + balance.received_lm;

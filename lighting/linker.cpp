@@ -338,11 +338,13 @@ LinkDecision::Kind Linker::split_for_receiver(const Link& link) const {
   }
   const ElementId s = link.source.element();
   const double other = tree.radius(s);
-  // In a proven view all that is wrong with the factor is how it runs over the receiver: splitting the source mends its unevenness alone.
-  const bool uneven = uneven_light(tree, link, deviation(link.source)) > link.error * solution_.radiosity_mean(s);
+  const bool uneven = deviation(link.source) > 0.02F * solution_.radiosity_mean(s);
+  // A proven view of an even source gains nothing by splitting the source: its factor is exact.
   const bool own_first = link.split_small ? is_smaller(tree, link.receiver, s) : own >= other;
+  // Nor does a spot of importance that a line over the receiver may miss.
   const double peak = unseen_peak(link.receiver, link.factor * tree.area(link.receiver), tree.area(s));
-  const bool receiver_first = link.visibility == Visibility::kVisible ? !uneven : own_first || 2.0 * peak > link.error;
+  const bool receiver_first =
+      (link.visibility == Visibility::kVisible && !uneven) || own_first || 2.0 * peak > link.error;
   if (receiver_first && own > kSmallest) return Kind::kSplitReceiver;
   if (other > kSmallest) return Kind::kSplitSource;
   return own > kSmallest ? Kind::kSplitReceiver : Kind::kLink;

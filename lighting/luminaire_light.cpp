@@ -97,7 +97,8 @@ bool is_near(const Luminaire& luminaire, const Point& at) {
   return norm(luminaire.at - at) < kFarInSizes * luminaire.opening.size_m();
 }
 
-AreaMean straight(const Lit& lit, const LuminaireView& view, const Point& at, const Receiver& receiver, double tolerance) {
+AreaMean straight(const Lit& lit, const LuminaireView& view, const Point& at, const Receiver& receiver,
+                  double tolerance) {
   const auto open = [&](const Point& place) { return from_place(lit.luminaire, place, at, receiver); };
   if (is_near(lit.luminaire, at)) {
     const auto parts = view.known ? seen_opening(lit.luminaire, view.before, at)
@@ -241,7 +242,9 @@ double seen_share(const Scene& scene, std::size_t luminaire, const Point& at) {
   const bool clipped = parts && whole;
   const double all = clipped ? mean.mean({&*whole, 1}).value : illuminance_by(own, at, towards).value;
   if (all <= 0.0) return 0.0;
-  const double seen = clipped ? mean.mean(*parts).value : straight(lit, at, towards, kFineMean).value;
+  const double seen =
+      clipped ? mean.mean(*parts).value
+              : straight(lit, {static_cast<std::uint32_t>(luminaire), false, {}}, at, towards, kFineMean).value;
   return std::min(1.0, seen / all);
 }
 

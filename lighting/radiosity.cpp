@@ -54,6 +54,7 @@ class Solver {
         importance_(importance),
         opening_links_(std::move(direct.links)),
         groups_(std::move(direct.groups)),
+        by_luminaires_lm_(direct.by_luminaires_lm),
         scale_lux_(direct.scale_lux),
         options_(options),
         clusters_(solution.scene(), solution.tree()) {}
@@ -87,8 +88,8 @@ class Solver {
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
     if (!options_.keep_link_errors) arrivals_.forget_errors();
-    return {std::move(arrivals_), std::move(groups_), std::move(given_errors_), std::move(clusters_), std::move(errors),
-            iterations_,          convergence_,       out_of_elements_};
+    return {std::move(arrivals_), std::move(groups_), by_luminaires_lm_, std::move(given_errors_), std::move(clusters_),
+            std::move(errors),    iterations_,        convergence_,      out_of_elements_};
   }
 
  private:
@@ -454,6 +455,7 @@ class Solver {
   std::vector<Link> links_;
   std::vector<Link> opening_links_;
   std::vector<GroupDirect> groups_;
+  double by_luminaires_lm_;
   Arrivals arrivals_;
   double scale_lux_;
   SolveOptions options_;

@@ -18,7 +18,7 @@ namespace clerestory::lighting {
 struct Transport {
   Arrivals arrivals;                ///< openings' links among them; with their errors where these are to be kept
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
-  double by_luminaires_lm = 0.0;    ///< flux that nodes receive straight from luminaires
+  double by_luminaires_lm = 0.0;    ///< flux that opaque nodes receive straight from luminaires
   std::vector<Solution::Errors>
       given_errors;  ///< [nodes] of what nodes receive by rays of their own, without the links' errors
   Clusters clusters;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/resolve.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,18 @@ void give(const std::vector<GroupDirect>& direct, Solution& solution) {
   }
 }
 
+/// What opaque nodes are given by groups of luminaires [lm].
+double flux_by_luminaires(const std::vector<GroupDirect>& direct, const Solution& solution) {
+  const std::vector<std::uint32_t>& of = solution.scene().luminaire_group;
+  double flux_lm = 0.0;
+  for (const GroupDirect& given : direct) {
+    const bool pane = solution.scene().is_pane(solution.tree().face_side(given.node));
+    if (!pane && std::find(of.begin(), of.end(), given.group) != of.end())
+      flux_lm += solution.tree().area(given.node) * given.lux.value;
+  }
+  return flux_lm;
+}
+
 /// Light that nodes receive in all [lm], as it was and as it is [nodes].
 struct Flux {
   double before = 0.0;
@@ -108,6 +121,7 @@ Transport resolve(const StoredSolution& stored, Solution& solution, const Progre
   transport.clusters = Clusters(solution.scene(), solution.tree());
   transport.arrivals = stored_arrivals(stored, solution, transport.clusters.size());
   give(transport.groups, solution);
+  transport.by_luminaires_lm = flux_by_luminaires(transport.groups, solution);
   for (std::size_t i = 0; i < stored.elements.size(); ++i)
     solution.close(ElementId(stored.elements[i]), line_of(stored.closing[i]));
   const Arrivals& arrivals = transport.arrivals;
