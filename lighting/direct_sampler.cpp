@@ -29,9 +29,9 @@ constexpr std::uint32_t kDirections = 8;  ///< from each place towards each open
 /// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
 /// direction of its own, stratified in all four dimensions.
 constexpr std::uint32_t kProbes = 256;
-constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
-constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with
-constexpr std::uint32_t kMostRays = 512;
+constexpr std::uint32_t kBatches = 8;       ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kFirstRays = 8;     ///< a batch and opening, to begin with
+constexpr std::uint32_t kMostRays = 512;    ///< a batch and opening
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
@@ -104,6 +104,35 @@ struct DirectSampler::Probe {
 struct DirectSampler::Places {
   std::array<PlaneSample, kPoints> samples;
   std::array<Point, kPoints> lifted;
+};
+
+/// What a node sees through one opening, or of the open sky: sums over the rays of all batches.
+struct DirectSampler::Part {
+  Part(std::int32_t of, const SourceGroups& all) : opening(of), groups(all) {}
+
+  /// What the rays' sums are to be multiplied by.
+  [[nodiscard]] double share() const { return 1.0 / (static_cast<double>(rays) * kBatches); }
+  [[nodiscard]] ReplicateMean lux() const {
+    std::array<double, kBatches> means = sums;
+    for (double& mean : means) mean /= rays;
+    return mean_of_replicates(means);
+  }
+  void add_to(DirectMeasurement& result, GroupSums& of_all) const {
+    result.received += share() * received;
+    result.total += lux().mean;
+    for (const GroupLight& light : groups.lit()) of_all.add(light.group, share() * light.lux);
+    for (SeenSurface seen : beyond) {
+      seen.factor *= static_cast<float>(share());
+      result.beyond.push_back(seen);
+    }
+  }
+
+  std::int32_t opening;
+  std::uint32_t rays = 0;               ///< a batch
+  std::array<double, kBatches> sums{};  ///< with the guess of what lies beyond
+  double received = 0.0;                ///< from the sky
+  GroupSums groups;
+  std::vector<SeenSurface> beyond;
 };
 
 struct DirectSampler::Start {
@@ -185,20 +214,17 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   const ElementId e = survey.below.node;
   DirectMeasurement result;
   GroupSums groups(scene().groups);
-  for (std::uint32_t rays = kFirstRays;; rays *= 2) {
-    result = {};
-    groups = GroupSums(scene().groups);
-    double variance = 0.0;
-    for (const std::uint32_t k : survey.below.openings) {
-      variance += sample_part(e, static_cast<std::int32_t>(k), rays, result, groups);
-    }
-    if (survey.below.open_sky) variance += sample_part(e, kOpenSky, rays, result, groups);
-    result.noise = std::sqrt(variance);
-    if (roughly || result.noise <= tolerance(e) || rays >= kMostRays) break;
-  }
+  std::vector<Part> parts;
+  for (const std::uint32_t k : survey.below.openings) parts.emplace_back(static_cast<std::int32_t>(k), scene().groups);
+  if (survey.below.open_sky) parts.emplace_back(kOpenSky, scene().groups);
+  for (Part& part : parts) extend(e, kFirstRays, part);
+  if (!roughly) improve(e, parts);
+  for (const Part& part : parts) result.noise += part.lux().variance;
+  result.noise = std::sqrt(result.noise);
   for (const std::uint32_t k : survey.below.minor) {
-    if (in_view(e, k)) sample_part(e, static_cast<std::int32_t>(k), 1, result, groups);
+    if (in_view(e, k)) extend(e, 1, parts.emplace_back(static_cast<std::int32_t>(k), scene().groups));
   }
+  for (const Part& part : parts) part.add_to(result, groups);
   const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
   const ReplicateMean by_luminaires = luminaires_.mean(e, survey.below.luminaires, allowed, groups);
   const ReplicateMean by_sun = sun_.mean(e, survey.below.sun, allowed);
@@ -361,29 +387,43 @@ bool DirectSampler::sees(ElementId e, std::int32_t opening) const {
   return false;
 }
 
-/// Adds one opening's light, or the open sky's, to a measurement; gives the variance of its mean.
-double DirectSampler::sample_part(ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result,
-                                  GroupSums& groups) const {
+/// Casts rays of one part, up to so many a batch.
+void DirectSampler::extend(ElementId e, std::uint32_t until, Part& part) const {
   const std::uint64_t key =
-      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 0x10000));
-  std::array<double, kBatches> means{};
+      mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(part.opening + 0x10000));
   for (std::uint32_t b = 0; b < kBatches; ++b) {
     const SobolPoints numbers(mesh::hash(key, b));
-    for (std::uint32_t i = 0; i < rays; ++i) {
-      const Start ray = start(e, opening, numbers, i);
+    for (std::uint32_t i = part.rays; i < until; ++i) {
+      const Start ray = start(e, part.opening, numbers, i);
       if (ray.weight <= 0.0) continue;
-      const double weight = ray.weight / (rays * kBatches);
-      Collector collector{&solution_, opening != kOpenSky, &result.beyond, &groups, weight};
-      const std::size_t first = result.beyond.size();
-      follow(scene(), ray.at, ray.direction, 1.0F, rule_of(opening), collector);
-      for (std::size_t k = first; k < result.beyond.size(); ++k) result.beyond[k].factor *= static_cast<float>(weight);
-      result.received += weight * collector.sky_lux;
-      means[b] += weight * kBatches * (collector.sky_lux + collector.guess_lux);
+      Collector collector{&solution_, part.opening != kOpenSky, &part.beyond, &part.groups, ray.weight};
+      const std::size_t first = part.beyond.size();
+      follow(scene(), ray.at, ray.direction, 1.0F, rule_of(part.opening), collector);
+      for (std::size_t k = first; k < part.beyond.size(); ++k) part.beyond[k].factor *= static_cast<float>(ray.weight);
+      part.received += ray.weight * collector.sky_lux;
+      part.sums[b] += ray.weight * (collector.sky_lux + collector.guess_lux);
     }
   }
-  const ReplicateMean lux = mean_of_replicates(means);
-  result.total += lux.mean;
-  return lux.variance;
+  part.rays = until;
+}
+
+/// Doubles the rays of the part that is least sure, until all together are within the tolerance or have as many as there may be.
+void DirectSampler::improve(ElementId e, std::span<Part> parts) const {
+  const double allowed = tolerance(e) * tolerance(e);
+  while (true) {
+    double variance = 0.0;
+    double most = 0.0;
+    Part* worst = nullptr;
+    for (Part& part : parts) {
+      const double own = part.lux().variance;
+      variance += own;
+      if (part.rays >= kMostRays || own / part.rays <= most) continue;
+      most = own / part.rays;
+      worst = &part;
+    }
+    if (variance <= allowed || worst == nullptr) return;
+    extend(e, 2 * worst->rays, *worst);
+  }
 }
 
 }  // namespace clerestory::lighting

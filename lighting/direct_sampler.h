@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lighting/importance.h"
@@ -64,6 +65,7 @@ class DirectSampler {
   struct Probe;
   struct Places;
   struct Start;
+  struct Part;
 
   [[nodiscard]] const Scene& scene() const { return solution_.scene(); }
   [[nodiscard]] double reflectance(mesh::ElementId e) const;
@@ -80,8 +82,8 @@ class DirectSampler {
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
   void add_sun(const DirectCandidate& candidate, DirectSurvey& result) const;
   void add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const;
-  double sample_part(mesh::ElementId e, std::int32_t opening, std::uint32_t rays, DirectMeasurement& result,
-                     GroupSums& groups) const;
+  void extend(mesh::ElementId e, std::uint32_t until, Part& part) const;
+  void improve(mesh::ElementId e, std::span<Part> parts) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
 
   const Solution& solution_;

@@ -43,9 +43,17 @@ class Parting {
  public:
   Parting(const Columns& columns, const PartingLines& lines, RoomCells& cells)
       : columns_(columns), lines_(lines), cells_(cells), sets_(columns.spans.size()) {
+    std::vector<std::uint32_t> joined;
     for_each_link([&](std::uint32_t s, std::uint32_t t, std::size_t axis) {
-      if (!on_line(s, axis)) sets_.join(s, t);
+      if (on_line(s, axis)) {
+        crossings_.push_back({s, t, (lines_.shut[s] >> axis & 1U) != 0});
+      } else {
+        sets_.join(s, t);
+        joined.push_back(s);
+      }
     });
+    find_pieces();
+    for (const std::uint32_t s : joined) pieces_.at(sets_.root(s)).boundary -= 2.0;
   }
 
   void run() {
@@ -56,6 +64,13 @@ class Parting {
   }
 
  private:
+  /// A link on a line.
+  struct Crossing {
+    std::uint32_t from;
+    std::uint32_t to;
+    bool shut;
+  };
+
   template <class Visit>
   void for_each_link(const Visit& visit) const {
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
@@ -96,11 +111,11 @@ class Parting {
 
   std::map<Pair, Border> borders() {
     std::map<Pair, Border> result;
-    for_each_link([&](std::uint32_t s, std::uint32_t t, std::size_t axis) {
-      if (!on_line(s, axis) || sets_.root(s) == sets_.root(t)) return;
-      Border& border = result[std::minmax(sets_.root(s), sets_.root(t))];
-      ((lines_.shut[s] >> axis & 1U) != 0 ? border.shut : border.open) += 1.0;
-    });
+    for (const Crossing& link : crossings_) {
+      if (sets_.root(link.from) == sets_.root(link.to)) continue;
+      Border& border = result[std::minmax(sets_.root(link.from), sets_.root(link.to))];
+      (link.shut ? border.shut : border.open) += 1.0;
+    }
     for (const auto& [s, t] : walls_) {
       const auto border = result.find(std::minmax(sets_.root(s), sets_.root(t)));
       if (border != result.end()) border->second.shut += 1.0;
@@ -108,19 +123,29 @@ class Parting {
     return result;
   }
 
-  std::map<std::uint32_t, Part> parts() {
-    std::map<std::uint32_t, Part> result;
+  /// What hangs together without a crossing.
+  void find_pieces() {
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
       if (cells_.of_span[s] == kNoCell) continue;
-      Part& part = result[sets_.root(s)];
+      Part& piece = pieces_[sets_.root(s)];
       const bool furnished = !lines_.furnished.empty() && lines_.furnished[s] != 0;
-      if (!furnished && columns_.spans[s].height() >= kHeadroom) part.spans += 1.0;
-      part.boundary += 4.0;
-      if (!lines_.label.empty()) part.labels[lines_.label[s]] += 1.0;
+      if (!furnished && columns_.spans[s].height() >= kHeadroom) piece.spans += 1.0;
+      piece.boundary += 4.0;
+      if (!lines_.label.empty()) piece.labels[lines_.label[s]] += 1.0;
     }
-    for_each_link([&](std::uint32_t s, std::uint32_t t, std::size_t) {
-      if (sets_.root(s) == sets_.root(t)) result[sets_.root(s)].boundary -= 2.0;
-    });
+  }
+
+  std::map<std::uint32_t, Part> parts() {
+    std::map<std::uint32_t, Part> result;
+    for (const auto& [root, piece] : pieces_) {
+      Part& part = result[sets_.root(root)];
+      part.spans += piece.spans;
+      part.boundary += piece.boundary;
+      for (const auto& [label, count] : piece.labels) part.labels[label] += count;
+    }
+    for (const Crossing& link : crossings_) {
+      if (sets_.root(link.from) == sets_.root(link.to)) result[sets_.root(link.from)].boundary -= 2.0;
+    }
     return result;
   }
 
@@ -165,7 +190,7 @@ class Parting {
     const auto all = parts();
     std::vector<std::uint32_t> parts_root;
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) parts_root.push_back(sets_.root(s));
-    for_each_link([&](std::uint32_t s, std::uint32_t t, std::size_t) { sets_.join(s, t); });
+    for (const Crossing& link : crossings_) sets_.join(link.from, link.to);
     std::map<std::uint32_t, std::uint32_t> largest;  // of a piece
     for (const auto& [part, figures] : all) {
       const auto [entry, fresh] = largest.try_emplace(sets_.root(part), part);
@@ -184,6 +209,8 @@ class Parting {
   const PartingLines& lines_;
   RoomCells& cells_;
   DisjointSets<std::uint32_t> sets_;
+  std::vector<Crossing> crossings_;
+  std::map<std::uint32_t, Part> pieces_;  ///< by their roots before any were merged
   std::vector<Pair> walls_;
 };
 
