@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,8 +30,9 @@ constexpr std::uint32_t kDirections = 8;  ///< from each place towards each open
 /// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
 /// direction of its own, stratified in all four dimensions.
 constexpr std::uint32_t kProbes = 256;
-constexpr std::uint32_t kBatches = 8;       ///< independent scramblings that tell the noise of a node's mean
-constexpr std::uint32_t kFirstRays = 8;     ///< a batch and opening, to begin with
+constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with; fewer where a node looks at many
+constexpr std::uint32_t kLeastRays = 8;
 constexpr std::uint32_t kMostRays = 512;    ///< a batch and opening
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
@@ -68,6 +70,12 @@ struct Collector {
 PathRule rule_of(std::int32_t opening) {
   if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
   return {PathRule::Part::kOpening, opening, true};
+}
+
+/// Errors of many parts, each a small share of the light, even out.
+std::uint32_t first_rays(std::size_t parts) {
+  const std::size_t share = 2 * kFirstRays / std::max<std::size_t>(1, parts);
+  return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), kLeastRays, kFirstRays);
 }
 
 /// The place of an opening that belongs to (a, b) in the unit square, about uniform by area.
@@ -217,7 +225,8 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   std::vector<Part> parts;
   for (const std::uint32_t k : survey.below.openings) parts.emplace_back(static_cast<std::int32_t>(k), scene().groups);
   if (survey.below.open_sky) parts.emplace_back(kOpenSky, scene().groups);
-  for (Part& part : parts) extend(e, kFirstRays, part);
+  const std::uint32_t first = first_rays(parts.size());
+  for (Part& part : parts) extend(e, first, part);
   if (!roughly) improve(e, parts);
   for (const Part& part : parts) result.noise += part.lux().variance;
   result.noise = std::sqrt(result.noise);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "mesh/box_tree.h"
 
@@ -47,7 +48,7 @@ bool is_convex(const std::vector<Point>& loop, const Vector& normal) {
 }
 
 /// True when q lies inside a convex loop seen from the tip of its normal.
-bool inside(const std::vector<Point>& loop, const Vector& normal, const Point& q) {
+bool inside(std::span<const Point> loop, const Vector& normal, const Point& q) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point& a = loop[i];
     const Vector edge = loop[(i + 1) % loop.size()] - a;
@@ -190,9 +191,8 @@ void Shafts::build(std::uint32_t begin, std::uint32_t end) {
 
 bool Shafts::covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const {
   if (piece.passable) return false;
-  const std::vector<Point> triangle(piece.corners.begin(), piece.corners.end());
   const auto& outline = convex_outline_[piece.face];
-  const std::vector<Point>& loop = outline.empty() ? triangle : outline;
+  const std::span<const Point> loop = outline.empty() ? std::span<const Point>(piece.corners) : outline;
   const Plane plane = plane_through(piece.corners[0], piece.normal);
   for (std::size_t i = 0; i < a.count; ++i) {
     const double sa = side_of(plane, a.corners[i]);
@@ -245,6 +245,10 @@ Shafts::Blockers Shafts::blockers(const ShaftEnd& a, const ShaftEnd& b, std::siz
     const std::span<const Point> polygon = outline.empty() ? std::span<const Point>(piece.corners) : outline;
     const auto same = [&](std::span<const Point> other) { return other.data() == polygon.data(); };
     if (std::any_of(found.polygons.begin(), found.polygons.end(), same)) return true;
+    if (most > 0 && covers(piece, a, b)) {
+      found = {{polygon}, true};
+      return false;
+    }
     const bool wanted = !piece.passable && found.polygons.size() < most;
     found.all = found.all && wanted;
     if (wanted) found.polygons.push_back(polygon);

@@ -36,7 +36,7 @@ class Shafts {
   /// What stands between two ends.
   struct Blockers {
     /// Opaque faces that reach into the hull of both ends, as convex polygons that may reach out of it: faces whose outline is convex, of
-    /// others the triangles that do. The spans are of the shafts.
+    /// others the triangles that do. One that hides the ends from each other stands alone. The spans are of the shafts.
     std::vector<std::span<const Point>> polygons;
     bool all = true;  ///< false: there are more of them, or a passable face reaches in too
   };
