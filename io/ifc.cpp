@@ -161,6 +161,16 @@ std::vector<ModelSpace> spaces_of(const IfcBuilding& building, double scale) {
   return spaces;
 }
 
+std::vector<ModelFixture> fixtures_of(const IfcBuilding& building, double scale) {
+  std::vector<ModelFixture> fixtures;
+  for (const IfcFixture& fixture : building.fixtures) {
+    fixtures.push_back({fixture.type, fixture.name, fixture.placement});
+    mesh::Point& at = fixtures.back().placement.origin;
+    at = {scale * at.x, scale * at.y, scale * at.z};
+  }
+  return fixtures;
+}
+
 /// The program's unit that the file is in; metres for any that it has no word for.
 LengthUnit unit_of(double metres_per_unit) {
   for (const LengthUnit unit :
@@ -182,6 +192,7 @@ ModelFile import_ifc(const std::filesystem::path& path, const ModelFormat& forma
   writer.add_elements(scale);
   writer.finish(file, format);
   file.spaces = spaces_of(building, scale);
+  file.fixtures = fixtures_of(building, scale);
   file.site = building.site;
   file.unit = format.unit.value_or(unit_of(building.metres_per_unit));
   file.unit_source = format.unit ? "as given" : "as the IFC says";

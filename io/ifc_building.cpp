@@ -8,23 +8,28 @@
 #include <IfcDirection.h>
 #include <IfcDistributionPort.h>
 #include <IfcFeatureElementSubtraction.h>
+#include <IfcFlowTerminal.h>
 #include <IfcGeometricRepresentationContext.h>
 #include <IfcGloballyUniqueId.h>
 #include <IfcGrid.h>
 #include <IfcIdentifier.h>
 #include <IfcLabel.h>
+#include <IfcLightFixture.h>
+#include <IfcLightFixtureType.h>
 #include <IfcOpeningElement.h>
 #include <IfcPositiveLengthMeasure.h>
 #include <IfcProject.h>
 #include <IfcReinforcingElement.h>
 #include <IfcRelAggregates.h>
 #include <IfcRelContainedInSpatialStructure.h>
+#include <IfcRelDefinesByType.h>
 #include <IfcRelFillsElement.h>
 #include <IfcRelVoidsElement.h>
 #include <IfcSite.h>
 #include <IfcSpace.h>
 #include <IfcStructuralActivity.h>
 #include <IfcStructuralItem.h>
+#include <IfcTypeObject.h>
 #include <IfcVirtualElement.h>
 #include <IfcWindow.h>
 #include <fmt/format.h>
@@ -178,6 +183,7 @@ class BuildingReader {
         read_room(*space);
       } else if (!has_no_surface(product)) {
         read_element(product);
+        read_fixture(product);
       }
     }
     link_parts();
@@ -250,6 +256,23 @@ class BuildingReader {
     element_of_[element.id] = building_.elements.size();
     building_.elements.push_back(std::move(element));
     products_.push_back(product);
+  }
+
+  /// Light fixtures are elements too: they may have a body.
+  void read_fixture(const std::shared_ptr<IfcProduct>& product) {
+    const auto terminal = as<IfcFlowTerminal>(product);
+    if (!terminal) return;
+    std::shared_ptr<IfcTypeObject> type;
+    for (const auto& weak : terminal->m_IsTypedBy_inverse)
+      if (const auto relation = weak.lock()) type = relation->m_RelatingType;
+    if (!as<IfcLightFixture>(product) && !as<IfcLightFixtureType>(type)) return;
+    IfcFixture fixture;
+    fixture.name = text_of(product->m_Name);
+    fixture.type = type ? text_of(type->m_Name) : std::string();
+    if (fixture.type.empty()) fixture.type = text_of(product->m_ObjectType);
+    if (fixture.type.empty()) fixture.type = fixture.name;
+    fixture.placement = placement_of_product(*product);
+    building_.fixtures.push_back(std::move(fixture));
   }
 
   void read_relations(const ::IfcElement& from, IfcElement& element) const {

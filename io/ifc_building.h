@@ -74,6 +74,13 @@ struct IfcRoom {
   std::optional<double> volume_m3;
 };
 
+/// An IfcLightFixture, or an IfcFlowTerminal whose type is one.
+struct IfcFixture {
+  std::string type;  ///< the name of its type, else its ObjectType, else its name
+  std::string name;
+  mesh::Affine placement;  ///< to the model's coordinates [m]
+};
+
 /// A building as an IFC file tells it: bodies uncut, half-spaces apart.
 struct IfcBuilding {
   std::string schema;  ///< "IFC2X3", "IFC4"
@@ -81,6 +88,7 @@ struct IfcBuilding {
   std::vector<IfcElement> elements;  ///< in the order of their ids, those without a body too
   std::vector<IfcOpening> openings;
   std::vector<IfcRoom> rooms;
+  std::vector<IfcFixture> fixtures;  ///< in the order of their ids
   ModelSite site;
   double metres_per_unit = 1.0;
   std::vector<std::string> notices;  ///< what was lost, one sentence each

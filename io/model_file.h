@@ -8,6 +8,7 @@
 
 #include "io/source_material.h"
 #include "io/units.h"
+#include "mesh/affine.h"
 #include "mesh/model.h"
 
 namespace clerestory::io {
@@ -33,6 +34,13 @@ struct ModelSite {
   std::optional<double> north_deg;      ///< of true north, from +y, counter-clockwise
 };
 
+/// A light fixture that a file places, whose light a study maps to a photometric file. What body it has is part of the model as any other.
+struct ModelFixture {
+  std::string type;  ///< the name of its type, else what it is said to be, else its own name
+  std::string name;
+  mesh::Affine placement;  ///< from the fixture's coordinates, in which it shines along -z, to the model's [m]
+};
+
 /// A model file as read, with all files that it names.
 struct ModelFile {
   std::string format;                     ///< "OBJ", "IFC4", …
@@ -41,6 +49,7 @@ struct ModelFile {
   /// Names that the file defines and no polygon uses.
   std::vector<std::string> unused_materials;
   std::vector<ModelSpace> spaces;
+  std::vector<ModelFixture> fixtures;
   ModelSite site;
   LengthUnit unit = LengthUnit::kMetre;  ///< that was taken
   std::string unit_source;               ///< "as line 1 of the model says", "guessed from the model's size", "as given"

@@ -14,9 +14,9 @@ namespace {
 
 /// What goes as its bytes, since any bytes make one: not bool, not an enumeration.
 template <class T>
-concept Plain =
-    (std::is_arithmetic_v<T> && !std::same_as<T, bool>) || std::same_as<T, mesh::Point> ||
-    std::same_as<T, mesh::MaterialId> || std::same_as<T, mesh::PartId> || std::same_as<T, std::array<double, 3>>;
+concept Plain = (std::is_arithmetic_v<T> && !std::same_as<T, bool>) || std::same_as<T, mesh::Point> ||
+                std::same_as<T, mesh::MaterialId> || std::same_as<T, mesh::PartId> || std::same_as<T, mesh::Affine> ||
+                std::same_as<T, std::array<double, 3>>;
 
 template <class T, class Of>
 concept Is = std::same_as<std::remove_const_t<T>, Of>;
@@ -47,6 +47,12 @@ void each_field(T& space, const Each& each) {
   each(name, boundary, floor_area, volume);
 }
 
+template <Is<ModelFixture> T, class Each>
+void each_field(T& fixture, const Each& each) {
+  auto& [type, name, placement] = fixture;
+  each(type, name, placement);
+}
+
 template <Is<ModelSite> T, class Each>
 void each_field(T& site, const Each& each) {
   auto& [latitude, longitude, north] = site;
@@ -55,8 +61,9 @@ void each_field(T& site, const Each& each) {
 
 template <Is<ModelFile> T, class Each>
 void each_field(T& file, const Each& each) {
-  auto& [format, model, materials, unused_materials, spaces, site, unit, unit_source, up, notices, files] = file;
-  each(format, model, materials, unused_materials, spaces, site, unit, unit_source, up, notices, files);
+  auto& [format, model, materials, unused_materials, spaces, fixtures, site, unit, unit_source, up, notices, files] =
+      file;
+  each(format, model, materials, unused_materials, spaces, fixtures, site, unit, unit_source, up, notices, files);
 }
 
 template <Is<ModelAnswer> T, class Each>
@@ -212,13 +219,20 @@ bool has_sound_polygons(const mesh::Model& model) {
          });
 }
 
+bool is_finite(const mesh::Affine& map) {
+  const mesh::Vector sum = map.x + map.y + map.z + (map.origin - mesh::Point{});
+  return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
+}
+
 bool is_consistent(const ModelFile& file) {
   const mesh::Model& model = file.model;
   return has_sound_polygons(model) && all_below(model.polygon_material, model.material_names.size()) &&
          all_below(model.polygon_part, model.part_names.size()) &&
          file.materials.size() == model.material_names.size() &&
          std::all_of(file.spaces.begin(), file.spaces.end(),
-                     [](const ModelSpace& space) { return has_sound_polygons(space.boundary); });
+                     [](const ModelSpace& space) { return has_sound_polygons(space.boundary); }) &&
+         std::all_of(file.fixtures.begin(), file.fixtures.end(),
+                     [](const ModelFixture& fixture) { return is_finite(fixture.placement); });
 }
 
 }  // namespace

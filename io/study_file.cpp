@@ -87,6 +87,7 @@ StudyInput read_study(const fs::path& study_or_model, const ReadOptions& options
   if (!options.model_only) {
     read_sky_table(root, place, study);
     read_luminaires_table(root, place, study);
+    read_fixtures_table(root, model.fixtures, place, study);
     read_grids_table(root, place, study);
     read_observers_table(root, study);
     read_tasks_table(root, study);

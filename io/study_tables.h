@@ -64,6 +64,12 @@ void read_sky_table(StudyValue& root, StudyPlace& place, lighting::Study& study)
 /// Throws InputError for photometric files at fault, and for places, directions and arrays that are none.
 void read_luminaires_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);
 
+/// [fixtures]: the light fixtures of the model become luminaires where a pattern fits their type; the exact name counts before patterns, the first
+/// of these. Those that none fits are told in study.assumptions. None for the daylight factor.
+/// Throws InputError as read_luminaires_table(), and for names that fit no fixture.
+void read_fixtures_table(const StudyValue& root, const std::vector<ModelFixture>& fixtures, StudyPlace& place,
+                         lighting::Study& study);
+
 /// [[grids]]. Throws InputError for names that are no file names or not unique, surfaces that the model does not have,
 /// and sensor files at fault.
 void read_grids_table(const StudyValue& root, StudyPlace& place, lighting::Study& study);

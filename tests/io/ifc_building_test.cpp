@@ -54,6 +54,17 @@ TEST_F(IfcBuildings, WallOpeningAndWindowAreRelated) {
   EXPECT_DOUBLE_EQ(building.elements[2].height_m, 1.2);
 }
 
+TEST_F(IfcBuildings, LightFixturesAreKnownByTheirTypeAndPlace) {
+  const auto building = read(test::kIfcFrame + test::kIfcWall + test::kIfcFixtures);
+  ASSERT_EQ(building.fixtures.size(), 2U);
+  EXPECT_EQ(building.fixtures[0].type, "Panel 600");
+  EXPECT_EQ(building.fixtures[0].name, "L1");
+  EXPECT_NEAR(building.fixtures[0].placement.origin.z, 2.8, 1e-12);
+  EXPECT_EQ(building.fixtures[1].type, "Panel 600");
+  EXPECT_NEAR(building.fixtures[1].placement.origin.x, 1.5, 1e-12);
+  EXPECT_NEAR(building.fixtures[1].placement.x.y, 1.0, 1e-12);
+}
+
 TEST_F(IfcBuildings, SiteHasPlaceAndNorth) {
   const auto building = read(test::kIfcFrame + test::kIfcWall);
   EXPECT_NEAR(building.site.latitude_deg.value(), 48.135, 1e-12);

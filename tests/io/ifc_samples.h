@@ -43,4 +43,15 @@ inline const std::string kIfcWall =
     "#41=IFCWINDOW('1kTvXnbbzCWw8lcMd1dR4t',$,'W',$,$,#31,$,$,1200.,1000.,$,$,$);\n"
     "#42=IFCRELFILLSELEMENT('1kTvXnbbzCWw8lcMd1dR4u',$,$,$,#30,#41);\n";
 
+/// Two light fixtures of one type, the second turned by 90° and 1 m along x, both 2.8 m up, and a tap, which is none.
+inline const std::string kIfcFixtures =
+    "#50=IFCLIGHTFIXTURE('1kTvXnbbzCWw8lcMd1dR4v',$,'L1',$,$,#51,$,$,$);\n"
+    "#51=IFCLOCALPLACEMENT(#10,#52);\n#52=IFCAXIS2PLACEMENT3D(#53,$,$);\n#53=IFCCARTESIANPOINT((500.,0.,2800.));\n"
+    "#54=IFCFLOWTERMINAL('1kTvXnbbzCWw8lcMd1dR4w',$,'L2',$,$,#55,$,$);\n"
+    "#55=IFCLOCALPLACEMENT(#10,#56);\n#56=IFCAXIS2PLACEMENT3D(#57,#26,#58);\n"
+    "#57=IFCCARTESIANPOINT((1500.,0.,2800.));\n#58=IFCDIRECTION((0.,1.,0.));\n"
+    "#59=IFCLIGHTFIXTURETYPE('1kTvXnbbzCWw8lcMd1dR4x',$,'Panel 600',$,$,$,$,$,$,.NOTDEFINED.);\n"
+    "#60=IFCRELDEFINESBYTYPE('1kTvXnbbzCWw8lcMd1dR4y',$,$,$,(#50,#54),#59);\n"
+    "#61=IFCFLOWTERMINAL('1kTvXnbbzCWw8lcMd1dR4z',$,'Tap',$,$,#10,$,$);\n";
+
 }  // namespace clerestory::test

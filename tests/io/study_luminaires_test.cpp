@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/io/ifc_samples.h"
 #include "tests/io/refusal.h"
 #include "tests/io/study_folder.h"
 
@@ -107,6 +108,51 @@ TEST_F(StudyLuminaires, WhatIsWrongIsSaidInALine) {
               HasSubstr("an array has count and spacing"));
   EXPECT_THAT(refusal("photometry = 'lamp.ies'\nat = [1, 2, 2.5]\nlamp_set = 2\n"), HasSubstr("one lamp set"));
   EXPECT_THAT(refusal("photometry = 'lamp.ies'\nat = [1, 2, 2.5]\ngroup = 'a,b'\n"), HasSubstr("cannot name a column"));
+}
+
+class StudyFixtures : public StudyLuminaires {
+ protected:
+  StudyFixtures() {
+    test::write_text(folder_.path() / "house.ifc",
+                     test::ifc_text(test::kIfcFrame + test::kIfcWall + test::kIfcFixtures));
+  }
+  [[nodiscard]] lighting::Study read_house(const std::string& lines) const {
+    return folder_.read("[model]\nfile = 'house.ifc'\n" + lines).study;
+  }
+};
+
+TEST_F(StudyFixtures, OfAnIfcFileShineByTheFileOfTheirType) {
+  const auto study =
+      read_house("[fixtures.'Panel*']\nphotometry = 'lamp.ies'\noffset = [0, 0, -0.1]\ngroup = 'ceiling'\n");
+  ASSERT_EQ(study.luminaires.size(), 2U);
+  EXPECT_NEAR(study.luminaires[0].at.x, 0.5, 1e-12);
+  EXPECT_NEAR(study.luminaires[0].at.z, 2.7, 1e-12);
+  EXPECT_EQ(study.luminaires[0].group, "ceiling");
+  EXPECT_DOUBLE_EQ(study.luminaires[0].factor, 0.8);
+  EXPECT_NEAR(study.luminaires[0].axes.u.x, 1.0, 1e-12);
+  EXPECT_NEAR(study.luminaires[0].axes.w.z, 1.0, 1e-12);
+  // The second is turned by a quarter: what shone along x shines along y.
+  EXPECT_NEAR(study.luminaires[1].axes.u.y, 1.0, 1e-12);
+  EXPECT_NEAR(study.luminaires[1].intensity_cd({0, 1, 0}), study.luminaires[0].intensity_cd({1, 0, 0}), 1e-9);
+}
+
+TEST_F(StudyFixtures, RotateTurnsThemFromC0ToC90) {
+  const auto study = read_house("[fixtures.'Panel 600']\nphotometry = 'lamp.ies'\nrotate = 90\n");
+  ASSERT_EQ(study.luminaires.size(), 2U);
+  EXPECT_NEAR(study.luminaires[0].axes.u.y, 1.0, 1e-12);
+  EXPECT_NEAR(study.luminaires[0].axes.v.x, -1.0, 1e-12);
+}
+
+TEST_F(StudyFixtures, WithoutAnEntryStayDarkAndAreTold) {
+  const auto study = read_house("");
+  EXPECT_TRUE(study.luminaires.empty());
+  EXPECT_THAT(study.assumptions, testing::Contains(HasSubstr("The 2 light fixtures of the type 'Panel 600'")));
+}
+
+TEST_F(StudyFixtures, OfATypeThatTheModelLacksAreRefused) {
+  const auto told = test::refusal_of([&] { read_house("[fixtures.'Spot*']\nphotometry = 'lamp.ies'\n"); });
+  EXPECT_THAT(told, HasSubstr("no light fixture of the type 'Spot*'"));
+  EXPECT_THAT(told, HasSubstr("Panel 600"));
 }
 
 }  // namespace
