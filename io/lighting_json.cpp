@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "io/summary.h"
+
 namespace clerestory::io {
 
 namespace {

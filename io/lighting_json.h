@@ -4,10 +4,8 @@
 #include "io/report_json.h"
 #include "lighting/results.h"
 
+// Private to io/: what summary.json says of light.
 namespace clerestory::io {
-
-/// "pass", "fail" or "not decided".
-const char* word_of(lighting::Criterion::Verdict verdict);
 
 /// What the summary tells of observers, of tasks by EN 12464-1, of luminaires with the power of rooms, and of materials.
 Json observers_json(const lighting::Results& results);

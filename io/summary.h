@@ -34,6 +34,9 @@ std::string summary_json(const lighting::Results& results, const ResultContext& 
 /// What has stopped a run, as the summary names it.
 const char* word_of(lighting::Stop::By by);
 
+/// "pass", "fail" or "not decided".
+const char* word_of(lighting::Criterion::Verdict verdict);
+
 /// The text of the summary.json of a run that failed, and why.
 std::string failure_json(const ResultContext& context, const std::string& why);
 

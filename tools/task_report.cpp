@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/lighting_json.h"
+#include "io/summary.h"
 #include "io/text_table.h"
 
 namespace clerestory::tools {

@@ -39,6 +39,7 @@ PRIVATE_HEADERS = {
     "io/ifc_quantities.h",
     "io/ifc_shapes.h",
     "io/ifc_styles.h",
+    "io/lighting_json.h",
     "io/report_json.h",  # what summary, inspect and clean say in the same words
     "lighting/parallel.h",  # the one door to threads
 }

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "io/summary.h"
+
 namespace clerestory::io {
 namespace {
 
