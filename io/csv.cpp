@@ -85,16 +85,38 @@ std::vector<float> modelling_of(const lighting::GridResult& grid) {
   return ratios;
 }
 
-std::string grid_csv(const lighting::GridResult& grid) {
-  expect_whole(grid);
-  const bool has_df = !grid.daylight_factor_percent.empty();
-  std::string text = "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux";
-  if (has_df) text += ",daylight_factor_percent";
-  const bool has_cylindrical = !grid.cylindrical_lux.empty();
-  const std::vector<float> modelling = modelling_of(grid);
-  if (has_cylindrical) text += ",cylindrical_lux,cylindrical_error_lux,modelling";
-  for (const lighting::GroupColumn& group : grid.groups)
-    text += ",illuminance_lux_" + column_word(group.name) + ",error_lux_" + column_word(group.name);
+std::string full_name(const lighting::GridResult& grid) {
+  return grid.moment.empty() ? grid.name : grid.name + "_" + column_word(grid.moment);
+}
+
+std::vector<LightColumn> light_columns(std::span<const lighting::GridResult> moments) {
+  std::vector<LightColumn> columns;
+  for (const lighting::GridResult& grid : moments) {
+    const std::string when = grid.moment.empty() ? "" : "_" + column_word(grid.moment);
+    columns.push_back({"illuminance_lux" + when, grid.illuminance_lux});
+    columns.push_back({"error_lux" + when, grid.error_lux});
+    if (!grid.daylight_factor_percent.empty())
+      columns.push_back({"daylight_factor_percent" + when, grid.daylight_factor_percent});
+    if (!grid.cylindrical_lux.empty()) {
+      columns.push_back({"cylindrical_lux" + when, grid.cylindrical_lux});
+      columns.push_back({"cylindrical_error_lux" + when, grid.cylindrical_error_lux});
+      columns.push_back({"modelling" + when, modelling_of(grid)});
+    }
+    for (const lighting::GroupColumn& group : grid.groups) {
+      const std::string name = "_" + column_word(group.name) + when;
+      columns.push_back({"illuminance_lux" + name, group.illuminance_lux});
+      columns.push_back({"error_lux" + name, group.error_lux});
+    }
+  }
+  return columns;
+}
+
+std::string grid_csv(std::span<const lighting::GridResult> moments) {
+  for (const lighting::GridResult& grid : moments) expect_whole(grid);
+  const lighting::GridResult& grid = moments.front();
+  const std::vector<LightColumn> columns = light_columns(moments);
+  std::string text = "id,x,y,z,nx,ny,nz";
+  for (const LightColumn& column : columns) text += "," + column.name;
   text += '\n';
   const bool numbered = !grid.sensors.ids.empty();
   for (std::size_t i = 0; i < grid.sensors.count(); ++i) {
@@ -103,18 +125,7 @@ std::string grid_csv(const lighting::GridResult& grid) {
     const mesh::Vector& n = grid.sensors.normals[i];
     for (const double x : {p.x, p.y, p.z}) append_coordinate(text, x, grid.name);
     for (const double x : {n.x, n.y, n.z}) append_direction(text, x, grid.name);
-    append_light(text, grid.illuminance_lux[i], grid.name);
-    append_light(text, grid.error_lux[i], grid.name);
-    if (has_df) append_light(text, grid.daylight_factor_percent[i], grid.name);
-    if (has_cylindrical) {
-      append_light(text, grid.cylindrical_lux[i], grid.name);
-      append_light(text, grid.cylindrical_error_lux[i], grid.name);
-      append_light(text, modelling[i], grid.name);
-    }
-    for (const lighting::GroupColumn& group : grid.groups) {
-      append_light(text, group.illuminance_lux[i], grid.name);
-      append_light(text, group.error_lux[i], grid.name);
-    }
+    for (const LightColumn& column : columns) append_light(text, column.values[i], grid.name);
     text += '\n';
   }
   return text;
@@ -139,8 +150,8 @@ std::string observers_csv(const std::vector<lighting::ObserverResult>& observers
   return text;
 }
 
-void write_grid_csv(const std::filesystem::path& file, const lighting::GridResult& grid) {
-  write_whole_file(file, grid_csv(grid));
+void write_grid_csv(const std::filesystem::path& file, std::span<const lighting::GridResult> moments) {
+  write_whole_file(file, grid_csv(moments));
 }
 
 }  // namespace clerestory::io

@@ -97,7 +97,8 @@ void draw_title(Raster& raster, const MapLayout& layout, const MapPlan& plan, co
   const std::string title = context.study_name.empty() ? grid.name : context.study_name;
   draw_text(raster, fitted(title, kTitle, width), kTitle, layout.title, {}, kInk);
   const std::string where = plan.panels.size() == 1 ? ", " + plan.panels.front().caption : "";
-  const std::string subtitle = quantity_title(quantity) + "  ·  grid " + grid.name + where;
+  const std::string when = grid.moment.empty() ? "" : ", " + grid.moment;
+  const std::string subtitle = quantity_title(quantity) + "  ·  grid " + grid.name + when + where;
   draw_text(raster, fitted(subtitle, kSubtitle, width), kSubtitle, {layout.title.x, layout.title.y + 40.0}, {}, kQuiet);
 }
 

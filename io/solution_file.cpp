@@ -25,7 +25,7 @@ namespace {
 
 using lighting::StoredSolution;
 
-constexpr std::uint32_t kFormatVersion = 3;
+constexpr std::uint32_t kFormatVersion = 4;
 constexpr std::uint64_t kLargestFile = 8ULL << 30U;
 /// Bytes before the HDF5 file proper, which the format leaves to its users: who wrote the file, and a hash of all that follows. What HDF5
 /// is given to read is whole.
@@ -215,6 +215,8 @@ void visit_numbers(Solution& s, const Number& number) {
 
 template <class Solution, class Table>
 void visit_tables(Solution& s, const Table& table) {
+  table("start_faces", s.start_faces);
+  table("start_lines", s.start_lines);
   table("divided", s.divided);
   table("open", s.open);
   table("elements", s.elements);
@@ -227,6 +229,10 @@ void visit_tables(Solution& s, const Table& table) {
   table("arrival_errors", s.arrival_errors);
   table("arrivals_made", s.arrivals_made);
   table("group_strengths", s.group_strengths);
+  table("group_kinds", s.group_kinds);
+  table("group_sources", s.group_sources);
+  table("group_error_nodes", s.group_error_nodes);
+  table("group_errors_lux2", s.group_errors);
   table("group_nodes", s.group_nodes);
   table("group_lux", s.group_lux);
   table("given_errors_lux2", s.given_errors);

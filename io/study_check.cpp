@@ -79,8 +79,8 @@ std::string expected(const StudyKey& key) {
       return fmt::format("a number{}, or one of them a band: [r, g, b]", range_text(key));
     case ValueType::kShare:
       return fmt::format("a number{}, or a share such as \"2%\"", range_text(key));
-    case ValueType::kDate:
-      return "a date and time";
+    case ValueType::kDates:
+      return "a date and time, or a list of them";
     case ValueType::kNumbers:
       return "a list of numbers";
     case ValueType::kNumbersOrWord:
@@ -108,6 +108,7 @@ bool fits_share(const StudyKey& key, const StudyValue& value) {
 }
 
 bool is_text(const StudyValue& value) { return value.kind == Kind::kText; }
+bool is_date(const StudyValue& value) { return value.kind == Kind::kDate; }
 bool is_number_or_list(const StudyValue& value) { return value.is_number() || value.kind == Kind::kArray; }
 bool is_table(const StudyValue& value) { return value.kind == Kind::kTable; }
 
@@ -136,8 +137,8 @@ bool fits(const StudyKey& key, const StudyValue& value) {
       return fits_reflectance(key, value);
     case ValueType::kShare:
       return fits_share(key, value);
-    case ValueType::kDate:
-      return value.kind == Kind::kDate;
+    case ValueType::kDates:
+      return is_date(value) || all_of_items(value, is_date);
     case ValueType::kNumbers:
       return all_of_items(value, is_number_or_list);
     case ValueType::kNumbersOrWord:

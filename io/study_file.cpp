@@ -43,6 +43,7 @@ StudyValue read_tree(const fs::path& path, const ReadOptions& options) {
   StudyValue root =
       is_study ? parse_study(read_text_file(path, "study", kLargestStudy), path.string()) : study_of_model(path);
   for (const std::string& setting : options.set) apply_override(root, setting);
+  if (!options.grids.empty()) replace_grids(root, options.grids);
   return root;
 }
 

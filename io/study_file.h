@@ -19,6 +19,8 @@ struct ReadOptions {
   /// Overrides in the order given, each "table.key=value" with TOML's value syntax; a bare word stands for a string.
   /// Elements of arrays by number: "grids.0.spacing=0.5". Relative paths in them are relative to the study file.
   std::vector<std::string> set;
+  /// Grids in place of the study's, each by the keys of [[grids]]: "name = 'desks', surface = 'desk*'".
+  std::vector<std::string> grids = {};
   /// Reads what describes the model, [model], [parts] and [materials], and leaves out sky, grids and accuracy.
   bool model_only = false;
 };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/study_schema.h"
 #include "io/study_tree.h"
@@ -86,6 +87,12 @@ StudyValue& child_of_table(StudyValue& table, const std::string& step, const std
   return child;
 }
 
+/// Lines mean nothing on the command line.
+void forget_lines(StudyValue& value) {
+  value.line = 0;
+  for (StudyValue& child : value.children) forget_lines(child);
+}
+
 }  // namespace
 
 void apply_override(StudyValue& study, const std::string& setting) {
@@ -105,6 +112,28 @@ void apply_override(StudyValue& study, const std::string& setting) {
   value.key = at->key;
   value.line = 0;
   *at = std::move(value);
+}
+
+void replace_grids(StudyValue& study, const std::vector<std::string>& grids) {
+  StudyValue list;
+  list.kind = StudyValue::Kind::kArray;
+  list.key = "grids";
+  list.file = "--grid";
+  for (const std::string& keys : grids) {
+    const std::string place = "--grid " + printable(keys);
+    try {
+      list.children.push_back(parse_value("{" + keys + "}", place));
+    } catch (const InputError& fault) {
+      throw InputError(place, 0, fault.problem(),
+                       "write keys of [[grids]], as in --grid 'name = \"desks\", surface = \"desk*\"'");
+    }
+    list.children.back().key.clear();
+    forget_lines(list.children.back());
+  }
+  if (StudyValue* own = study.find(list.key))
+    *own = std::move(list);
+  else
+    study.children.push_back(std::move(list));
 }
 
 }  // namespace clerestory::io

@@ -81,8 +81,8 @@ std::string value_text(const StudyKey& key) {
       return "number" + range(key) + ", or one a band";
     case ValueType::kShare:
       return "number" + range(key) + ", or per cent as text";
-    case ValueType::kDate:
-      return "date and time";
+    case ValueType::kDates:
+      return "date and time, or list of them";
     case ValueType::kNumbers:
       return "list of numbers";
     case ValueType::kNumbersOrWord:

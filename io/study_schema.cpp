@@ -258,10 +258,12 @@ constexpr StudyKey kKeys[] = {
          "cie-overcast uniform none cie-1 cie-2 cie-3 cie-4 cie-5 cie-6 cie-7 cie-8 cie-9 cie-10 cie-11 cie-12 cie-13 "
          "cie-14 cie-15 cie-clear perez weather"},
     {.path = "sky.time",
-     .type = kDate,
-     .meaning = "The moment, in local standard time (no daylight saving) of `site.timezone`, or with an offset of its "
-                "own. The sun "
-                "stands as it does there, apparent altitude.",
+     .type = kDates,
+     .meaning =
+         "The moment, in local standard time (no daylight saving) of `site.timezone`, or with an offset of its "
+         "own. The sun "
+         "stands as it does there, apparent altitude. A list of moments is answered from one solution, in columns "
+         "of their own; at those with the sun under the horizon the sky is dark.",
      .example = "2026-03-21T12:00:00"},
     {.path = "sky.sun_altitude",
      .type = kNumber,
@@ -393,7 +395,9 @@ constexpr StudyKey kKeys[] = {
     {.path = "luminaires[].dimming",
      .type = kNumber,
      .fallback = "1.0",
-     .meaning = "The share of the light that they are dimmed to.",
+     .meaning = "The share of the light that they are dimmed to, as installed; what is set in use is "
+                "`groups.*.dimming`, and the "
+                "two multiply.",
      .low = 0.0,
      .high = 1.0},
 

@@ -27,9 +27,9 @@ enum class ValueType {
   kNumberOrWord,  ///< a number, or one of the key's words
   kInteger,
   kBoolean,
-  kReflectance,  ///< a number, or three for red, green and blue
-  kShare,        ///< a number, or a text in per cent: "2%"
-  kDate,
+  kReflectance,    ///< a number, or three for red, green and blue
+  kShare,          ///< a number, or a text in per cent: "2%"
+  kDates,          ///< a date and time, or a list of them
   kNumbers,        ///< a list of numbers, or of such lists
   kNumbersOrWord,  ///< a list of numbers, or one of the key's words
 };

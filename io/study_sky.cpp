@@ -129,18 +129,44 @@ void read_beam(const StudyValue& table, const std::optional<StudySun>& place, bo
         "The sun stands {:.2f} degrees under the horizon: no light comes straight from it.", -sun.altitude_deg));
 }
 
+lighting::Sky read_sky(const StudyValue& table, const std::optional<StudySun>& sun, lighting::Study& study) {
+  const std::string type = text_or(table, "type", "cie-overcast");
+  const bool irradiated = type == "perez" || type == "weather";
+  lighting::Sky sky = irradiated
+                          ? by_irradiance(table, need(sun, *table.find("type"), "sky.type = \"" + type + "\""), study)
+                          : by_illuminance(table, sun);
+  sky.ground_reflectance = number_or(table, "ground_reflectance", 0.2);
+  read_beam(table, sun, irradiated, sky, study);
+  return sky;
+}
+
+/// One of several. At night there may still be lamps.
+lighting::Sky at_moment(const StudyValue& table, const StudySun& sun, lighting::Study& study) {
+  lighting::Sky sky;
+  if (sun.towards.z > 0.0) {
+    sky = read_sky(table, sun, study);
+  } else {
+    sky.type = lighting::Sky::Type::kNone;
+    study.assumptions.push_back(fmt::format(
+        "At {} the sun stands {:.2f} degrees under the horizon: the sky is dark, and lamps alone give light.",
+        sun.moment, -sun.altitude_deg));
+  }
+  sky.moment = sun.moment;
+  return sky;
+}
+
 }  // namespace
 
 void read_sky_table(StudyValue& root, StudyPlace& place, lighting::Study& study) {
   StudyValue& table = *root.find("sky");
   if (study.kind == lighting::Study::Kind::kDaylight) make_overcast(table, study);
-  const std::optional<StudySun> sun = read_study_sun(root, place, study);
-  const std::string type = text_or(table, "type", "cie-overcast");
-  const bool irradiated = type == "perez" || type == "weather";
-  study.sky = irradiated ? by_irradiance(table, need(sun, *table.find("type"), "sky.type = \"" + type + "\""), study)
-                         : by_illuminance(table, sun);
-  study.sky.ground_reflectance = number_or(table, "ground_reflectance", 0.2);
-  read_beam(table, sun, irradiated, study.sky, study);
+  const std::vector<StudySun> suns = read_study_suns(root, place, study);
+  if (suns.size() < 2) {
+    study.sky = read_sky(table, suns.empty() ? std::nullopt : std::optional(suns.front()), study);
+    return;
+  }
+  for (const StudySun& sun : suns) study.moments.push_back(at_moment(table, sun, study));
+  study.sky = lighting::mean_sky(study.moments);
 }
 
 void read_mesh_table(const StudyValue& root, lighting::Study& study) {

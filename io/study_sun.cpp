@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -21,7 +22,19 @@ using lighting::Weather;
 struct GivenTime {
   Moment moment;
   std::optional<double> offset_h;
+  std::string name;  ///< for columns
 };
+
+/// "2026-03-21T1200", with seconds where they are not zero, and the offset from UTC where one is given.
+std::string name_of(const std::string& time, double second, const std::string& offset) {
+  constexpr std::size_t kDay = 10;
+  constexpr std::size_t kUpToMinutes = 16;
+  std::string name = time.substr(0, kDay) + "T";
+  for (const char c : time.substr(kDay + 1, second != 0.0 ? std::string::npos : kUpToMinutes - kDay - 1) + offset) {
+    if (c != ':') name += c;
+  }
+  return name;
+}
 
 GivenTime parse_time(const StudyValue& value) {
   GivenTime time;
@@ -41,6 +54,7 @@ GivenTime parse_time(const StudyValue& value) {
   char sign = '+';
   if (std::sscanf(rest.c_str(), "%c%2d:%2d", &sign, &hour, &minute) == 3)
     time.offset_h = (sign == '-' ? -1.0 : 1.0) * (hour + minute / 60.0);
+  time.name = name_of(value.text.substr(0, static_cast<std::size_t>(read)), second, rest);
   return time;
 }
 
@@ -122,14 +136,13 @@ Moment by_clock_of(const Weather& weather, Moment moment, double timezone_h) {
   return moment;
 }
 
-StudySun at_time(const StudyValue& root, const StudyValue& sky, const StudyValue& when, StudyPlace& place,
-                 lighting::Study& study) {
-  const StudyValue* table = find_table(root, "site");
-  const std::optional<Weather> weather = weather_of(sky, table, place);
+StudySun at_time(const StudyValue& root, const StudyValue& sky, const StudyValue& when,
+                 const std::optional<Weather>& weather, lighting::Study& study) {
   const GivenTime time = parse_time(when);
-  const Site site = site_of(table, time, when, weather, study);
+  const Site site = site_of(find_table(root, "site"), time, when, weather, study);
   StudySun sun;
   lighting::Air air;
+  sun.moment = time.name;
   sun.day_of_year = lighting::day_of_year(time.moment);
   if (weather) {
     const Moment moment = by_clock_of(*weather, time.moment, site.timezone_h);
@@ -144,9 +157,26 @@ StudySun at_time(const StudyValue& root, const StudyValue& sky, const StudyValue
   return sun;
 }
 
+/// A moment that is given twice counts once.
+std::vector<StudySun> at_times(const StudyValue& root, const StudyValue& sky, const StudyValue& times,
+                               StudyPlace& place, lighting::Study& study) {
+  const std::optional<Weather> weather = weather_of(sky, find_table(root, "site"), place);
+  if (times.kind != StudyValue::Kind::kArray) return {at_time(root, sky, times, weather, study)};
+  std::vector<StudySun> suns;
+  for (const StudyValue& when : times.children) {
+    const std::string name = parse_time(when).name;
+    const bool again = std::any_of(suns.begin(), suns.end(), [&](const StudySun& sun) { return sun.moment == name; });
+    if (again)
+      study.assumptions.push_back(fmt::format("The moment {} is given twice; it counts once.", when.text));
+    else
+      suns.push_back(at_time(root, sky, when, weather, study));
+  }
+  return suns;
+}
+
 }  // namespace
 
-std::optional<StudySun> read_study_sun(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
+std::vector<StudySun> read_study_suns(const StudyValue& root, StudyPlace& place, lighting::Study& study) {
   const StudyValue& sky = *root.find("sky");
   const StudyValue* time = sky.find("time");
   const StudyValue* altitude = sky.find("sun_altitude");
@@ -154,18 +184,18 @@ std::optional<StudySun> read_study_sun(const StudyValue& root, StudyPlace& place
   if (time != nullptr && (altitude != nullptr || azimuth != nullptr))
     throw time->error("sky.time and sky.sun_altitude or sky.sun_azimuth both say where the sun stands",
                       "give one of them");
-  if (time != nullptr) return at_time(root, sky, *time, place, study);
+  if (time != nullptr) return at_times(root, sky, *time, place, study);
   if (text_or(sky, "type", "") == "weather")
     throw sky.find("type")->error("sky.type = \"weather\" needs sky.time",
                                   "write for example time = 2026-03-21T12:00:00");
-  if (altitude == nullptr && azimuth == nullptr) return std::nullopt;
+  if (altitude == nullptr && azimuth == nullptr) return {};
   if (altitude == nullptr || azimuth == nullptr)
     throw(altitude != nullptr ? altitude : azimuth)
         ->error("the sun needs both sky.sun_altitude and sky.sun_azimuth", "give both, or sky.time");
   StudySun sun;
   sun.altitude_deg = altitude->number;
   sun.towards = lighting::direction_of(altitude->number, azimuth->number, study.north_deg);
-  return sun;
+  return {sun};
 }
 
 }  // namespace clerestory::io

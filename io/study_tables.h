@@ -46,15 +46,16 @@ void read_materials_table(const StudyValue& root, const ModelFile& model, lighti
 /// Where the sun stands for a study, and what the weather is.
 struct StudySun {
   mesh::Vector towards;  ///< unit vector in model coordinates
+  std::string moment;    ///< as columns are called by it, "2026-03-21T1200"; empty where no time is given
   double altitude_deg = 0.0;
   std::optional<lighting::Irradiance> irradiance;  ///< of the weather file, where it is asked for
   int day_of_year = 80;                            ///< the 21st of March where no time is given
 };
 
-/// sky.time with [site], or sky.sun_altitude and sky.sun_azimuth; none where neither is given. With sky.type = "weather" the file of
-/// site.weather tells the irradiances, and the place where the study does not.
+/// At the moments of sky.time with [site], each once, or by sky.sun_altitude and sky.sun_azimuth; none where neither is given. With sky.type =
+/// "weather" the file of site.weather tells the irradiances, and the place where the study does not.
 /// Throws InputError for what is missing or contradicts itself.
-std::optional<StudySun> read_study_sun(const StudyValue& root, StudyPlace& place, lighting::Study& study);
+std::vector<StudySun> read_study_suns(const StudyValue& root, StudyPlace& place, lighting::Study& study);
 
 /// [sky]. For the daylight factor it becomes the CIE overcast sky, in the tree too.
 /// Throws InputError for keys that contradict each other, and for a sky without what it needs.

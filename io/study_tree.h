@@ -58,6 +58,9 @@ StudyValue parse_value(std::string_view text, const std::string& file);
 /// number after the last one adds an item. Throws InputError where it has no such form, or steps into something that is no table.
 void apply_override(StudyValue& study, const std::string& setting);
 
+/// Puts other grids in the place of a study's (see ReadOptions::grids). Throws InputError where the keys of one are no TOML.
+void replace_grids(StudyValue& study, const std::vector<std::string>& grids);
+
 /// The tree as a JSON object, two blanks a level.
 std::string to_json(const StudyValue& study);
 

@@ -42,6 +42,7 @@ Json grid_summary(const lighting::GridResult& grid) {
   const lighting::GridMetrics& m = grid.metrics;
   Json json;
   json["name"] = grid.name;
+  if (!grid.moment.empty()) json["moment"] = grid.moment;
   json["sensors"] = grid.sensors.count();
   json["sensors_left_out"] = grid.sensors.left_out;
   json.update(numbers({{"mean_lux", m.mean_lux},

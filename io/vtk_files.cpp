@@ -138,20 +138,31 @@ void add_triangles(vtkPolyData* data, const std::vector<mesh::Point>& corners_of
   data->SetPolys(cells);
 }
 
+/// @param when  behind the names of the arrays
+template <class Light>
+void add_surface_light(vtkPolyData* data, const Light& light, const std::string& when) {
+  const auto add = [&](vtkDataSetAttributes* to, const char* name, const std::vector<float>& values) {
+    to->AddArray(numbers<vtkFloatArray>((name + when).c_str(), values));
+  };
+  vtkCellData* const cells = data->GetCellData();
+  add(cells, "illuminance_lux", light.illuminance_lux);
+  add(cells, "error_lux", light.error_lux);
+  add(cells, "radiosity_lm_m2", light.radiosity_lm_m2);
+  add(cells, "luminance_cd_m2", light.luminance_cd_m2);
+  if (cells->GetScalars() == nullptr) cells->SetActiveScalars(("illuminance_lux" + when).c_str());
+  add(data->GetPointData(), "illuminance_lux", light.point_illuminance_lux);
+}
+
 void add_surface_values(vtkPolyData* data, const lighting::SurfaceResult& surfaces) {
   vtkCellData* const cells = data->GetCellData();
-  cells->AddArray(numbers<vtkFloatArray>("illuminance_lux", surfaces.illuminance_lux));
-  cells->AddArray(numbers<vtkFloatArray>("error_lux", surfaces.error_lux));
-  cells->AddArray(numbers<vtkFloatArray>("radiosity_lm_m2", surfaces.radiosity_lm_m2));
-  cells->AddArray(numbers<vtkFloatArray>("luminance_cd_m2", surfaces.luminance_cd_m2));
+  if (surfaces.moments.empty()) add_surface_light(data, surfaces, "");
+  for (const lighting::SurfaceLight& light : surfaces.moments) add_surface_light(data, light, "_" + light.moment);
   cells->AddArray(numbers<vtkFloatArray>("reflectance", surfaces.reflectance));
   cells->AddArray(numbers<vtkUnsignedCharArray>("side", surfaces.side));
   cells->AddArray(numbers<vtkIntArray>("level", surfaces.level));
   cells->AddArray(numbers<vtkIntArray>("part", surfaces.part));
   cells->AddArray(numbers<vtkIntArray>("material", surfaces.material));
   cells->AddArray(numbers<vtkIntArray>("room", surfaces.room));
-  cells->SetActiveScalars("illuminance_lux");
-  data->GetPointData()->AddArray(numbers<vtkFloatArray>("illuminance_lux", surfaces.point_illuminance_lux));
   data->GetPointData()->SetNormals(vectors("normal", surfaces.point_normals));
 }
 
@@ -233,30 +244,20 @@ std::string xml_attribute(std::string_view text) {
 }  // namespace
 
 void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& results,
-                    const lighting::GridResult& grid, const ResultContext& context) {
+                    std::span<const lighting::GridResult> moments, const ResultContext& context) {
+  const lighting::GridResult& grid = moments.front();
   vtkNew<vtkPolyData> data;
   add_sensor_cells(data, grid.sensors);
   std::vector<std::string> units{"illuminance_lux: lx", "error_lux: lx, standard uncertainty (k = 1)"};
   vtkCellData* const cells = data->GetCellData();
   cells->AddArray(numbers<vtkUnsignedIntArray>("id", ids_of(grid.sensors)));
   cells->AddArray(vectors("normal", grid.sensors.normals));
-  cells->AddArray(numbers<vtkFloatArray>("illuminance_lux", grid.illuminance_lux));
-  cells->AddArray(numbers<vtkFloatArray>("error_lux", grid.error_lux));
-  cells->SetActiveScalars("illuminance_lux");
+  const std::vector<LightColumn> columns = light_columns(moments);
+  for (const LightColumn& column : columns) cells->AddArray(numbers<vtkFloatArray>(column.name.c_str(), column.values));
+  cells->SetActiveScalars(columns.front().name.c_str());
   if (!grid.daylight_factor_percent.empty()) {
-    cells->AddArray(numbers<vtkFloatArray>("daylight_factor_percent", grid.daylight_factor_percent));
     cells->SetActiveScalars("daylight_factor_percent");
     units.emplace_back("daylight_factor_percent: % of the unobstructed horizontal illuminance");
-  }
-  if (!grid.cylindrical_lux.empty()) {
-    cells->AddArray(numbers<vtkFloatArray>("cylindrical_lux", grid.cylindrical_lux));
-    cells->AddArray(numbers<vtkFloatArray>("cylindrical_error_lux", grid.cylindrical_error_lux));
-    cells->AddArray(numbers<vtkFloatArray>("modelling", modelling_of(grid)));
-  }
-  for (const lighting::GroupColumn& group : grid.groups) {
-    const std::string name = column_word(group.name);
-    cells->AddArray(numbers<vtkFloatArray>(("illuminance_lux_" + name).c_str(), group.illuminance_lux));
-    cells->AddArray(numbers<vtkFloatArray>(("error_lux_" + name).c_str(), group.error_lux));
   }
   add_origin(data, units, results, context);
   data->GetFieldData()->AddArray(words("grid", {grid.name}));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,19 +14,18 @@
 namespace clerestory::io {
 
 /// Writes a grid as VTK XML polygons (.vtp): one quadrilateral a sensor where the grid has cells, one vertex a sensor
-/// where it has none, in the order of the sensors. Cell data: `id`, `normal`, `illuminance_lux`, `error_lux` and, in a
-/// daylight study, `daylight_factor_percent`. Field data as in write_surfaces_vtp(), and the name of the `grid`.
+/// where it has none, in the order of the sensors. Cell data: `id`, `normal` and the light_columns(). Field data as in write_surfaces_vtp(), and the name of the `grid`.
 /// Positions are in double precision [m, model coordinates]; corners closer than 1 µm are one point, so that ParaView
 /// can smooth across cells. The bytes depend on the arguments alone, not on locale, time or threads.
 /// Throws MachineError when the file cannot be written whole.
 void write_grid_vtp(const std::filesystem::path& file, const lighting::Results& results,
-                    const lighting::GridResult& grid, const ResultContext& context);
+                    std::span<const lighting::GridResult> moments, const ResultContext& context);
 
 /// Writes the solution on the surfaces as VTK XML polygons (.vtp), one triangle a side of an element (`side` 0 front,
 /// 1 back, wound the other way). Cell data: `illuminance_lux`, `error_lux`, `radiosity_lm_m2`, `luminance_cd_m2`,
 /// `reflectance`, `side`, `level`, and the indices `part`, `material` and `room` (-1: none) into the field arrays
 /// `part_names`, `material_names`, `room_names`. Point data: `illuminance_lux`, smooth inside regions and split where
-/// light is discontinuous. Field data in words: `units`, `sky`, `study`, `version`; and the number
+/// light is discontinuous. Arrays of light at one of several moments have `_MOMENT` behind their names. Field data in words: `units`, `sky`, `study`, `version`; and the number
 /// `horizontal_illuminance_lux`, unobstructed.
 /// Throws MachineError when the file cannot be written whole.
 void write_surfaces_vtp(const std::filesystem::path& file, const lighting::Results& results,

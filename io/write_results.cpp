@@ -2,6 +2,7 @@
 #include "io/write_results.h"
 
 #include <algorithm>
+#include <span>
 
 #include "io/csv.h"
 #include "io/map.h"
@@ -49,21 +50,28 @@ struct Output {
   }
 };
 
-void write_grid(Output& output, const lighting::Results& results, const lighting::GridResult& grid,
+/// @param moments  of one grid
+void write_grid(Output& output, const lighting::Results& results, std::span<const lighting::GridResult> moments,
                 const ResultContext& context) {
-  write_grid_csv(output.add(grid.name + ".csv"), grid);
-  write_grid_vtp(output.add(grid.name + ".vtp"), results, grid, context);
-  output.collection.push_back({grid.name, grid.name + ".vtp"});
-  write_map_png(output.add(grid.name + ".png"), grid, results, context);
+  const std::string& name = moments.front().name;
+  write_grid_csv(output.add(name + ".csv"), moments);
+  write_grid_vtp(output.add(name + ".vtp"), results, moments, context);
+  output.collection.push_back({name, name + ".vtp"});
+  for (const lighting::GridResult& grid : moments)
+    write_map_png(output.add(full_name(grid) + ".png"), grid, results, context);
 }
 
 /// Writes all files but the summary.
 void write_files(Output& output, const lighting::Results& results, const ResultContext& context, Progress& progress) {
   const double steps = static_cast<double>(results.grids.size()) + 2.0;
   double step = 0.0;
-  for (const lighting::GridResult& grid : results.grids) {
-    write_grid(output, results, grid, context);
-    progress.advance(++step / steps);
+  for (std::size_t first = 0; first < results.grids.size();) {
+    std::size_t end = first + 1;
+    while (end < results.grids.size() && results.grids[end].name == results.grids[first].name) ++end;
+    write_grid(output, results, std::span(results.grids).subspan(first, end - first), context);
+    step += static_cast<double>(end - first);
+    progress.advance(step / steps);
+    first = end;
   }
   if (!results.surfaces.cells.empty()) {
     write_surfaces_vtp(output.add(kSurfaces), results, context);
@@ -94,7 +102,10 @@ std::vector<std::string> result_names(const lighting::Study& study, const std::f
   for (const lighting::GridRequest& grid : study.grids) {
     if (grid.by_room) continue;  // named after rooms that are not known yet
     expect_usable_as_file_name(grid.name, file);
-    for (const char* ending : {".csv", ".vtp", ".png"}) {
+    std::vector<std::string> endings{".csv", ".vtp"};
+    if (study.moments.empty()) endings.emplace_back(".png");
+    for (const lighting::Sky& moment : study.moments) endings.push_back("_" + column_word(moment.moment) + ".png");
+    for (const std::string& ending : endings) {
       const std::string name = grid.name + ending;
       if (std::find(names.begin(), names.end(), name) != names.end())
         throw InputError(file.string(), 0, "the grid '" + grid.name + "' would write " + name + ", as other results do",

@@ -33,6 +33,22 @@ SourceGroups::SourceGroups(Columns columns, bool kept, bool sky, bool sun, doubl
   groups_.push_back({"sun", Kind::kSun});
 }
 
+SourceGroups::SourceGroups(const std::vector<std::string>& moments, bool kept, double north_deg)
+    : SourceGroups(kept ? Columns::kSky145 : Columns::kGroups, false, kept, false, north_deg) {
+  columns_ = Columns::kMix;
+  if (!kept) groups_.clear();
+  moments_ = moments.size();
+  moments_begin_ = static_cast<std::uint32_t>(groups_.size());
+  for (const std::string& moment : moments) groups_.push_back({"sky_" + moment, SourceGroup::Kind::kSky});
+  for (const std::string& moment : moments) groups_.push_back({"sun_" + moment, SourceGroup::Kind::kSun});
+}
+
+SourceGroups SourceGroups::of_moment(Columns columns, bool sky, bool sun) {
+  SourceGroups groups(Columns::kGroups, false, sky, sun, 0.0);
+  groups.columns_ = columns;
+  return groups;
+}
+
 std::uint32_t SourceGroups::add_lamps(const std::string& name) {
   if (!parted()) return 0;
   const auto found =

@@ -115,10 +115,14 @@ std::vector<DirectMeasurement> measure_all(const DirectSampler& sampler, const s
   return measured;
 }
 
-/// Light of each group changes over the node as the sum of all does.
-void part(const DirectSurvey& survey, const DirectMeasurement& measured, std::vector<GroupDirect>& groups) {
-  const LinearValue slope = survey.relative_slope();
+/// Light of each group changes over the node as the sum of all does; that of the sky of a moment as it does itself.
+void part(const SourceGroups& all, const DirectSurvey& survey, const DirectMeasurement& measured,
+          std::vector<GroupDirect>& groups) {
   for (const GroupLight& light : measured.groups) {
+    LinearValue slope = survey.relative_slope();
+    for (std::size_t m = 0; m < survey.moment_slopes.size(); ++m) {
+      if (light.group == all.of_sky_at(m)) slope = survey.moment_slopes[m];
+    }
     const auto lux = static_cast<float>(light.lux);
     groups.push_back({survey.below.node, light.group, {lux, lux * slope.slope_u, lux * slope.slope_v}});
   }
@@ -155,7 +159,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   const std::vector<DirectMeasurement> measured = measure_all(sampler, accepted, measuring);
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
-    part(accepted[i], measured[i], result.groups);
+    part(solution.scene().groups, accepted[i], measured[i], result.groups);
     const ElementId node = accepted[i].below.node;
     if (!solution.scene().is_pane(solution.tree().face_side(node)))
       result.by_luminaires_lm += solution.tree().area(node) * measured[i].by_luminaires;

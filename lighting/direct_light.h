@@ -29,6 +29,13 @@ struct GroupDirect {
   LinearValue lux;
 };
 
+/// Squared errors of what a node receives straight of one source group [lux²], as Solution::add_error() has them.
+struct GroupError {
+  mesh::ElementId node;
+  std::uint32_t group = 0;
+  Solution::Errors errors;
+};
+
 /// What light_directly() gives besides the direct light that it leaves in the solution.
 struct DirectLight {
   std::vector<NodeDirect> nodes;

@@ -47,6 +47,7 @@ struct Collector {
   std::vector<SeenSurface>* beyond = nullptr;  ///< where asked for
   GroupSums* groups = nullptr;                 ///< where asked for
   double share = 1.0;                          ///< that the ray has of what groups are given
+  std::span<double> moments{};                 ///< where asked for, of each moment's sky [lux]
   double sky_lux = 0.0;
   double guess_lux = 0.0;
 
@@ -61,7 +62,11 @@ struct Collector {
   void sky(const Vector& direction, float weight, bool) {
     const double lux = weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
     sky_lux += lux;
-    if (groups != nullptr) groups->add(solution->scene().groups.of_sky(direction), share * lux);
+    const Scene& scene = solution->scene();
+    const double per_luminance = weight * std::numbers::pi;
+    if (groups != nullptr) add_sky_light(scene, direction, share * lux, share * per_luminance, *groups);
+    for (std::size_t m = 0; m < moments.size(); ++m)
+      moments[m] += per_luminance * sky_luminance(scene.sky.parts[m], direction);
   }
 };
 
@@ -95,6 +100,13 @@ void add(const LinearFit& fit, LinearFit& sum) {
   sum.residual = std::hypot(sum.residual, fit.residual);
 }
 
+/// A line by its own mean.
+LinearValue relative(const LinearFit& fit) {
+  const float mean = fit.line.value;
+  if (mean <= 0.0F) return {1.0F, 0.0F, 0.0F};
+  return {1.0F, fit.line.slope_u / mean, fit.line.slope_v / mean};
+}
+
 }  // namespace
 
 LinearValue DirectSurvey::relative_slope() const {
@@ -112,6 +124,7 @@ struct DirectSampler::Probe {
 struct DirectSampler::Places {
   std::array<PlaneSample, kPoints> samples;
   std::array<Point, kPoints> lifted;
+  std::vector<std::array<double, kPoints>> moments;  ///< of each moment's sky [lux]
 };
 
 /// What a node sees through one opening, or of the open sky: sums over the rays of all batches.
@@ -156,8 +169,10 @@ DirectSampler::DirectSampler(const Solution& solution, const Importance& importa
       tolerance_lux_(tolerance * importance.mean_lux()),
       seed_(seed),
       brightest_(sky_luminance_bound(solution.scene().sky)),
-      sun_(solution, seed),
       luminaires_(solution, seed, tolerance * luminaire_flux(solution.scene())) {
+  scene().sky.for_suns([&](const Sun& sun) {
+    suns_.emplace_back(solution, sun, suns_.empty() ? seed : mesh::hash(seed, suns_.size()));
+  });
   for (const Opening& opening : scene().openings) ends_.push_back(shaft_end(opening));
 }
 
@@ -181,6 +196,7 @@ DirectSampler::Places DirectSampler::places_on(ElementId e, std::uint64_t key) c
     places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
     places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
   }
+  places.moments.resize(scene().sky.parts.size());
   return places;
 }
 
@@ -206,7 +222,11 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
     survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
   }
   result.fit = fit_line(places.samples, true);
-  add_sun(candidate, result);
+  for (const auto& lux : places.moments) {
+    for (std::uint32_t i = 0; i < kPoints; ++i) places.samples[i].value = lux[i];
+    result.moment_slopes.push_back(relative(fit_line(places.samples, true)));
+  }
+  add_suns(candidate, result);
   add_luminaires(candidate, result);
   return result;
 }
@@ -236,12 +256,17 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   for (const Part& part : parts) part.add_to(result, groups);
   const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
   const ReplicateMean by_luminaires = luminaires_.mean(e, survey.below.luminaires, allowed, groups);
-  const ReplicateMean by_sun = sun_.mean(e, survey.below.sun, allowed);
-  groups.add(scene().groups.of_sun(), by_sun.mean);
   result.by_luminaires = by_luminaires.mean;
-  result.received += by_luminaires.mean + by_sun.mean;
-  result.total += by_luminaires.mean + by_sun.mean;
-  result.noise = std::hypot(result.noise, by_luminaires.standard_error(), by_sun.standard_error());
+  result.received += by_luminaires.mean;
+  result.total += by_luminaires.mean;
+  result.noise = std::hypot(result.noise, by_luminaires.standard_error());
+  for (std::size_t k = 0; k < suns_.size(); ++k) {
+    const ReplicateMean by_sun = suns_[k].mean(e, survey.below.suns[k], allowed);
+    if (scene().sky.parts.empty()) groups.add(scene().groups.of_sun(), by_sun.mean);
+    result.received += by_sun.mean;
+    result.total += by_sun.mean;
+    result.noise = std::hypot(result.noise, by_sun.standard_error());
+  }
   result.groups = groups.lit();
   return result;
 }
@@ -286,6 +311,7 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
                                    double& total) const {
   const Vector& normal = solution_.tree().normal(e);
   const SobolPoints numbers(key);
+  std::vector<double> moments(places.moments.size());
   for (std::uint32_t i = 0; i < kPoints; ++i) {
     const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
     for (std::uint32_t j = 0; j < kDirections; ++j) {
@@ -294,10 +320,13 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
       Collector collector{&solution_, true};
+      collector.moments = moments;
+      std::fill(moments.begin(), moments.end(), 0.0);
       follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
       places.samples[i].value += lux;
       total += lux / kPoints;
+      for (std::size_t m = 0; m < moments.size(); ++m) places.moments[m][i] += weight * moments[m];
     }
   }
 }
@@ -305,23 +334,30 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
 void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, double& total) const {
   const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
   const SobolPoints numbers(key);
+  std::vector<double> moments(places.moments.size());
   for (std::uint32_t i = 0; i < kPoints; ++i) {
     for (std::uint32_t j = 0; j < kDirections; ++j) {
       const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
       Collector collector{&solution_};
+      collector.moments = moments;
+      std::fill(moments.begin(), moments.end(), 0.0);
       follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
       places.samples[i].value += collector.sky_lux / kDirections;
+      for (std::size_t m = 0; m < moments.size(); ++m) places.moments[m][i] += moments[m] / kDirections;
       total += collector.sky_lux / (kDirections * kPoints);
     }
   }
 }
 
-/// The edges of the sun's light ask for more places than what is smooth: it is fitted by itself.
-void DirectSampler::add_sun(const DirectCandidate& candidate, DirectSurvey& result) const {
-  const SunSurvey sun = sun_.survey(candidate.node, candidate.sun);
-  result.below.sun = sun.view;
-  add(sun.fit, result.fit);
-  result.total += sun.mean_lux;
+/// The edges of the suns' light ask for more places than what is smooth: each is fitted by itself.
+void DirectSampler::add_suns(const DirectCandidate& candidate, DirectSurvey& result) const {
+  for (std::size_t k = 0; k < suns_.size(); ++k) {
+    const SunView known = candidate.suns.empty() ? SunView::kUnknown : candidate.suns[k];
+    const SunSurvey sun = suns_[k].survey(candidate.node, known);
+    result.below.suns.push_back(sun.view);
+    add(sun.fit, result.fit);
+    result.total += sun.mean_lux;
+  }
 }
 
 void DirectSampler::add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const {

@@ -19,18 +19,20 @@ class SobolPoints;
 /// A node, and what it has to look at.
 struct DirectCandidate {
   mesh::ElementId node;
-  std::vector<std::uint32_t> openings;  ///< those that may be seen
-  std::vector<std::uint32_t> minor;     ///< those that cannot matter much here: measured with few rays, not surveyed
-  bool open_sky = true;                 ///< may see the sky by no opening
-  SunView sun = SunView::kUnknown;
+  std::vector<std::uint32_t> openings;    ///< those that may be seen
+  std::vector<std::uint32_t> minor;       ///< those that cannot matter much here: measured with few rays, not surveyed
+  bool open_sky = true;                   ///< may see the sky by no opening
+  std::vector<SunView> suns;              ///< [suns of the sky]; empty: nothing is known
   std::vector<LuminaireView> luminaires;  ///< those that may be seen
 };
 
 /// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
 /// is left to measure().
 struct DirectSurvey {
-  LinearFit fit;          ///< of sky, sun, luminaires and the guess of what lies beyond openings
-  double total = 0.0;     ///< the mean of these [lux]
+  LinearFit fit;       ///< of sky, sun, luminaires and the guess of what lies beyond openings
+  double total = 0.0;  ///< the mean of these [lux]
+  /// Of several moments the sky's alone, by the mean of each [1/m].
+  std::vector<LinearValue> moment_slopes;
   DirectCandidate below;  ///< what the node, or its children, need to look at
 
   /// Of the illuminance over the node, per unit of its mean [1/m].
@@ -80,7 +82,7 @@ class DirectSampler {
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
   void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
-  void add_sun(const DirectCandidate& candidate, DirectSurvey& result) const;
+  void add_suns(const DirectCandidate& candidate, DirectSurvey& result) const;
   void add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const;
   void extend(mesh::ElementId e, std::uint32_t until, Part& part) const;
   void improve(mesh::ElementId e, std::span<Part> parts) const;
@@ -91,7 +93,7 @@ class DirectSampler {
   double tolerance_lux_;
   std::uint64_t seed_;
   double brightest_;  ///< no more luminance outdoors [cd/m²]
-  SunSampler sun_;
+  std::vector<SunSampler> suns_;
   LuminaireSampler luminaires_;
   std::vector<mesh::ShaftEnd> ends_;  ///< the openings
 };

@@ -86,8 +86,7 @@ Candidate lamp(const Luminaire& luminaire) {
 }
 
 /// Its power is what it sends through the openings; where nothing marks these, what it sends on the whole scene.
-Candidate sun(const Scene& scene) {
-  const Sun& sun = scene.sky.sun;
+Candidate sun_source(const Scene& scene, const Sun& sun) {
   Candidate candidate;
   candidate.source.kind = ShadowSource::Kind::kDirection;
   candidate.source.towards = sun.towards;
@@ -115,7 +114,9 @@ std::vector<Candidate> all_sources(const Scene& scene) {
     if (own > 0.0) found.push_back(polygon(scene, mesh::face_side(s), own));
   }
   for (const Luminaire& luminaire : scene.luminaires) found.push_back(lamp(luminaire));
-  if (scene.sky.sun.shines()) found.push_back(sun(scene));
+  scene.sky.for_suns([&](const Sun& sun) {
+    if (sun.shines()) found.push_back(sun_source(scene, sun));
+  });
   std::erase_if(found, [](const Candidate& c) {
     return c.source.kind == ShadowSource::Kind::kPolygon && c.source.outline.empty();
   });

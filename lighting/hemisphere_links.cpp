@@ -32,9 +32,10 @@ struct Collector {
   }
   void sky(const Vector& direction, float weight, bool beyond) {
     if (!beyond) return;
-    const double lux = factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    const double per_luminance = factor * weight * std::numbers::pi;
+    const double lux = per_luminance * sky_luminance(solution->scene().sky, direction);
     view->mirrored_sky_lux += lux;
-    groups->add(solution->scene().groups.of_sky(direction), lux);
+    add_sky_light(solution->scene(), direction, lux, per_luminance, *groups);
   }
 };
 

@@ -58,9 +58,10 @@ struct Collector {
     into->seen.push_back(seen_surface(*solution, point, static_cast<float>(factor) * weight));
   }
   void sky(const Vector& direction, float weight, bool) {
-    const double lux = factor * weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
+    const double per_luminance = factor * weight * std::numbers::pi;
+    const double lux = per_luminance * sky_luminance(solution->scene().sky, direction);
     into->sky_lux += lux;
-    groups->add(solution->scene().groups.of_sky(direction), lux);
+    add_sky_light(solution->scene(), direction, lux, per_luminance, *groups);
   }
 };
 

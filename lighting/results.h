@@ -65,6 +65,8 @@ struct GroupColumn {
 
 struct GridResult {
   std::string name;
+  std::string
+      moment;  ///< where there are several: each has a result of its own, one behind another, of the same sensors
   Sensors sensors;
   std::vector<float> illuminance_lux;
   std::vector<float> error_lux;                ///< standard uncertainty, k = 1
@@ -146,6 +148,16 @@ struct MaterialLight {
   double luminance_cd_m2 = 0.0;
 };
 
+/// Light on the surfaces at one of several moments; arrays as those of SurfaceResult.
+struct SurfaceLight {
+  std::string moment;
+  std::vector<float> point_illuminance_lux;
+  std::vector<float> illuminance_lux;
+  std::vector<float> error_lux;
+  std::vector<float> radiosity_lm_m2;
+  std::vector<float> luminance_cd_m2;
+};
+
 /// The solution on the surfaces, as triangles with their own three points each where light is discontinuous. Points of curved parts lie on
 /// the limit surface, and are shared across its smooth edges.
 /// Front cells are wound as the file's polygons, back cells the other way. Model coordinates [m].
@@ -168,6 +180,7 @@ struct SurfaceResult {
   std::vector<std::string> part_names;
   std::vector<std::string> material_names;
   std::vector<std::string> room_names;
+  std::vector<SurfaceLight> moments;  ///< where there are several; the arrays of light above are empty then
 };
 
 /// What has ended a run's refinement in the place of its accuracy, and where.

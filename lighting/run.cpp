@@ -29,6 +29,7 @@
 #include "lighting/observers.h"
 #include "lighting/parallel.h"
 #include "lighting/radiosity.h"
+#include "lighting/relighting.h"
 #include "lighting/resolve.h"
 #include "lighting/scene.h"
 #include "lighting/shown_mesh.h"
@@ -61,7 +62,7 @@ constexpr std::size_t kMostJumps = 2000;
 constexpr double kShareOfJumps = 0.3;
 constexpr double kShareOfStartMesh = 0.8;
 constexpr double kShareOfShownMesh = 0.5;
-constexpr double kShareOfLitMesh = 0.95;
+constexpr double kShareOfLitMesh = 0.9;
 
 /// Notes the time of each phase, and its rays.
 class Clock {
@@ -253,21 +254,57 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
   }
 }
 
-/// The surfaces with the lines of discontinuity in their mesh.
-void show_shadows(const Study& study, const Solution& solution, const SolutionErrors& errors,
-                  std::span<const NodeDirect> nodes, double scale_lux, Results& results, Progress& progress) {
-  const Scene& scene = solution.scene();
-  const double accuracy = study.accuracy.target;
-  const double dark_lux = kDarkShare * scale_lux;
-  const LocalPass local(solution, errors, nodes, accuracy, dark_lux);
-  progress.advance(0.0);
-  PhasePart meshing(progress, 0.0, kShareOfShownMesh);
-  const ShownMesh shown = shown_mesh(solution, errors, local, {accuracy, dark_lux, study.mesh.max_elements}, meshing);
-  progress.advance(kShareOfShownMesh);
-  PhasePart lighting(progress, kShareOfShownMesh, kShareOfLitMesh);
-  const LitMesh lit = light_mesh(solution, errors, shown, local, lighting);
-  PhasePart curved(progress, kShareOfLitMesh, 1.0);
-  results.surfaces = surface_values(solution, errors, shown, lit, local, curved);
+/// The light of a solution on the surfaces, as they are shown.
+class Shower {
+ public:
+  /// Finds the mesh with the lines of discontinuity where these are asked for and limits allow.
+  /// @param solution  whose light the mesh follows
+  Shower(const Study& study, const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
+         double scale_lux, Progress& progress)
+      : nodes_(nodes), accuracy_(study.accuracy.target), dark_lux_(kDarkShare * scale_lux) {
+    if (!study.mesh.discontinuities) return;
+    try {
+      const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
+      progress.advance(0.0);
+      shown_ = shown_mesh(solution, errors, local, {accuracy_, dark_lux_, study.mesh.max_elements}, progress);
+      progress.advance(1.0);
+    } catch (const LimitedProgress::ShowingIsOver&) {
+      is_over_ = true;
+    }
+  }
+
+  [[nodiscard]] const std::optional<ShownMesh>& mesh() const { return shown_; }
+  /// Whether the mesh, or light on it, could not be had in the time.
+  [[nodiscard]] bool is_over() const { return is_over_; }
+  /// From here on elements are shown.
+  void give_up() {
+    is_over_ = true;
+    shown_.reset();
+  }
+
+  SurfaceResult light(const Solution& solution, const SolutionErrors& errors, Progress& progress) {
+    if (!shown_) return surface_values(solution, errors);
+    const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
+    PhasePart lighting(progress, 0.0, kShareOfLitMesh);
+    const LitMesh lit = light_mesh(solution, errors, *shown_, local, lighting);
+    PhasePart curved(progress, kShareOfLitMesh, 1.0);
+    return surface_values(solution, errors, *shown_, lit, local, curved);
+  }
+
+ private:
+  std::span<const NodeDirect> nodes_;
+  double accuracy_;
+  double dark_lux_;
+  std::optional<ShownMesh> shown_;
+  bool is_over_ = false;
+};
+
+/// What is known of the lines, where they were found.
+void tell_of_lines(const Shower& shower, const Scene& scene, Results& results) {
+  if (shower.is_over())
+    results.notices.emplace_back("the run was stopped before the shadow lines of the surfaces were found");
+  if (!shower.mesh()) return;
+  const ShownMesh& shown = *shower.mesh();
   results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
   for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);
 }
@@ -275,21 +312,20 @@ void show_shadows(const Study& study, const Solution& solution, const SolutionEr
 /// The surfaces, with the lines of discontinuity in their mesh where these are asked for and limits allow.
 void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
                    std::span<const NodeDirect> nodes, double scale_lux, Results& results, Progress& progress) {
-  if (study.mesh.discontinuities) {
-    try {
-      show_shadows(study, solution, errors, nodes, scale_lux, results, progress);
-      return;
-    } catch (const LimitedProgress::ShowingIsOver&) {
-      results.notices.emplace_back("the run was stopped before the shadow lines of the surfaces were found");
-    }
+  PhasePart meshing(progress, 0.0, kShareOfShownMesh);
+  Shower shower(study, solution, errors, nodes, scale_lux, meshing);
+  try {
+    PhasePart lighting(progress, kShareOfShownMesh, 1.0);
+    results.surfaces = shower.light(solution, errors, lighting);
+  } catch (const LimitedProgress::ShowingIsOver&) {
+    shower.give_up();
+    results.surfaces = surface_values(solution, errors);
   }
-  results.surfaces = surface_values(solution, errors);
+  tell_of_lines(shower, solution.scene(), results);
 }
 
-/// No light yet, and a few elements a region of a face side: contacts, the feet of slits and lines across which light jumps are their edges.
-Solution unsolved(const Scene& scene, Progress& progress) {
-  mesh::MeshOptions options;
-  options.max_size_m = kStartSizeM;
+/// Lines that the elements do not cross: the feet of slits, and those across which light jumps.
+std::vector<mesh::FaceLine> start_lines(const Scene& scene, Progress& progress) {
   std::vector<mesh::FaceLine> lines = mesh::feet_of(scene.slits);
   LineOptions jumps;
   PhasePart finding(progress, 0.0, kShareOfJumps);
@@ -298,6 +334,13 @@ Solution unsolved(const Scene& scene, Progress& progress) {
   jumps.most_lines = kMostJumps;
   for (const mesh::DiscontinuityLine& line : find_discontinuities(scene, jumps).lines)
     lines.push_back({line.face, line.ends});
+  return lines;
+}
+
+/// No light yet, and a few elements a region of a face side: contacts and the lines are their edges.
+Solution unsolved(const Scene& scene, const std::vector<mesh::FaceLine>& lines, Progress& progress) {
+  mesh::MeshOptions options;
+  options.max_size_m = kStartSizeM;
   options.lines = lines;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
   progress.advance(kShareOfStartMesh);
@@ -316,7 +359,7 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
   results.rooms = rooms_in_model(scene);
   results.luminaires = luminaire_uses(scene);
   results.room_power = room_powers(scene);
-  results.material_light = material_lights(results.surfaces);
+  if (results.surfaces.moments.empty()) results.material_light = material_lights(results.surfaces);
   results.clean = scene.clean_report;
   results.materials = scene.materials;
   results.assumptions = scene.assumptions;
@@ -338,8 +381,8 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
     results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);
     results.accuracy_met = results.accuracy_met && grid.metrics.accuracy_met;
     if (grid.metrics.maximum_lux == 0.0)
-      results.notices.push_back("grid '" + grid.name +
-                                "': no light reaches it, every value is zero; where light should " +
+      results.notices.push_back("grid '" + grid.name + "'" + (grid.moment.empty() ? "" : " at " + grid.moment) +
+                                ": no light reaches it, every value is zero; where light should " +
                                 "come in, name a glazing material or mark an opening");
   }
 }
@@ -349,13 +392,220 @@ GroupRadiosity solve_groups(const Solution& solution, const Transport& transport
 }
 
 /// What did not converge is of no use to others.
-void keep(const Solution& solution, const Transport& transport, double accuracy, Results& results) {
+void keep(const Solution& solution, const Transport& transport, const KnownLight& light, double accuracy,
+          Results& results) {
   if (!results.converged) {
     results.notices.emplace_back("the solution is not kept: it did not converge");
     return;
   }
-  results.solution = store(solution, transport, accuracy);
+  results.solution = store(solution, transport, light, accuracy);
   results.solution->energy = results.energy;
+}
+
+KnownLight light_of(const Scene& scene, const Transport& transport) {
+  return {scene.groups.all(), transport.groups, {}};
+}
+
+/// What several moments give, one after the other on the links of one solution.
+class Moments {
+ public:
+  /// @param scene  of the relit solution; left with the sky of the moment that was lit last
+  /// @param kept   whether the light of patches of the sky is known, and may be needed
+  Moments(const Study& study, Scene& scene, const Solution& solution, Relighting& relighting, bool kept)
+      : study_(study), scene_(scene), solution_(solution), relighting_(relighting), kept_(kept) {}
+
+  /// Measures all suns.
+  void cast_suns() {
+    for (const Sky& moment : study_.moments) {
+      if (moment.sun.shines()) relighting_.cast(moment.sun, "sun_" + moment.moment);
+    }
+  }
+
+  /// Each grid at each moment, in the place of the grids as they were placed.
+  void gather(Results& results, std::uint64_t seed, Progress& progress) {
+    std::vector<std::vector<GridResult>> found;
+    for (std::size_t m = 0; m < study_.moments.size(); ++m) {
+      PhasePart part(progress, share(m), share(m + 1));
+      const Transport& transport = light(m, part);
+      results.counts.iterations += transport.iterations;
+      std::optional<GroupRadiosity> groups;
+      if (scene_.groups.has_columns()) groups = solve_groups(solution_, transport);
+      std::vector<GridResult> grids = results.grids;
+      for (GridResult& grid : grids) grid.moment = study_.moments[m].moment;
+      evaluate_all(study_, solution_, transport.errors, groups, grids, seed, part);
+      found.push_back(std::move(grids));
+    }
+    std::vector<GridResult> in_order;
+    for (std::size_t g = 0; g < results.grids.size(); ++g) {
+      for (auto& grids : found) in_order.push_back(std::move(grids[g]));
+    }
+    results.grids = std::move(in_order);
+  }
+
+  /// The surfaces at each moment.
+  void show(Shower& shower, Results& results, Progress& progress) {
+    SurfaceResult& all = results.surfaces;
+    for (std::size_t m = 0; m < study_.moments.size(); ++m) {
+      PhasePart part(progress, share(m), share(m + 1));
+      SurfaceResult own = shower.light(solution_, light(m, part).errors, part);
+      all.moments.push_back({study_.moments[m].moment, std::move(own.point_illuminance_lux),
+                             std::move(own.illuminance_lux), std::move(own.error_lux), std::move(own.radiosity_lm_m2),
+                             std::move(own.luminance_cd_m2)});
+      if (m > 0) continue;
+      own.moments = std::move(all.moments);
+      all = std::move(own);
+      for (auto* light : {&all.point_illuminance_lux, &all.illuminance_lux, &all.error_lux, &all.radiosity_lm_m2,
+                          &all.luminance_cd_m2})
+        light->clear();
+    }
+  }
+
+ private:
+  [[nodiscard]] double share(std::size_t moments) const {
+    return static_cast<double>(moments) / static_cast<double>(study_.moments.size());
+  }
+
+  const Transport& light(std::size_t m, const Progress& progress) {
+    const Sky& sky = study_.moments[m];
+    // A dark sky is a group too, so that there is one, and columns are alike at all moments.
+    set_sky(scene_, sky,
+            kept_ ? SourceGroups(study_.columns, true, true, sky.sun.shines(), study_.north_deg)
+                  : SourceGroups::of_moment(study_.columns, true, sky.sun.shines()));
+    return relighting_.light(progress);
+  }
+
+  const Study& study_;
+  Scene& scene_;
+  const Solution& solution_;
+  Relighting& relighting_;
+  bool kept_;
+};
+
+/// Surfaces at all moments, in the mesh that their mean asks for.
+void show_surfaces(Moments& moments, Shower& shower, const Solution& solution, Results& results, Progress& progress) {
+  try {
+    moments.show(shower, results, progress);
+  } catch (const LimitedProgress::ShowingIsOver&) {
+    shower.give_up();
+    results.surfaces = {};
+    NoProgress unwatched;
+    moments.show(shower, results, unwatched);
+  }
+  tell_of_lines(shower, solution.scene(), results);
+}
+
+/// A study that is solved.
+struct Solved {
+  Scene& scene;
+  Solution& solution;
+  const AllSensors& sensors;
+  Transport transport;
+  std::vector<NodeDirect> nodes;
+  double scale_lux = 0.0;
+  std::uint64_t seed = 0;
+};
+
+/// From the solution to the results.
+void answer(const Study& study, const Solved& solved, Clock& clock, LimitedProgress& progress, Results& results) {
+  using Stage = LimitedProgress::Stage;
+  const auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
+  std::optional<GroupRadiosity> groups;
+  if (scene.groups.has_columns()) {
+    clock.begin("channels", progress);
+    groups = solve_groups(solution, transport);
+  }
+  clock.begin("gathering", progress);
+  progress.enter(Stage::kGathering);
+  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
+  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
+
+  clock.begin("balancing", progress);
+  progress.enter(Stage::kShowing);
+  results.energy = energy_balance(solution, transport, seed);
+
+  clock.begin("shadows", progress);
+  show_surfaces(study, solution, transport.errors, nodes, scale_lux, results, progress);
+  conclude(study, scene, progress, results);
+  if (study.keep_solution) keep(solution, transport, light_of(scene, transport), study.accuracy.target, results);
+}
+
+/// Of several moments none is the one to judge by.
+void leave_tasks(const AllSensors& sensors, Results& results) {
+  if (sensors.observers.empty() && sensors.tasks.empty()) return;
+  results.notices.emplace_back(
+      "observers and tasks are judged by the light of one moment, and several are asked for: give one time, or "
+      "sky.type = \"none\" for electric light");
+}
+
+/// The same for several moments: the solution is of their mean, and lit anew for each. Its energy balance is that of the mean.
+void answer_moments(const Study& study, Solved solved, Clock& clock, LimitedProgress& progress, Results& results) {
+  using Stage = LimitedProgress::Stage;
+  auto& [scene, mean, sensors, transport, nodes, scale_lux, seed] = solved;
+  clock.begin("balancing", progress);
+  results.energy = energy_balance(mean, transport, seed);
+
+  clock.begin("suns", progress);
+  progress.enter(Stage::kGathering);
+  Solution lit = mean;
+  const SolutionErrors errors = transport.errors;
+  Relighting relighting(lit, transport, light_of(scene, transport), study.accuracy.target);
+  Moments moments(study, scene, lit, relighting, study.keep_solution);
+  moments.cast_suns();
+  std::optional<StoredSolution> kept;
+  if (study.keep_solution) {
+    keep(mean, transport, relighting.known(), study.accuracy.target, results);
+    kept.swap(results.solution);
+  }
+  transport = {};
+
+  clock.begin("gathering", progress);
+  moments.gather(results, seed, progress);
+  leave_tasks(sensors, results);
+
+  clock.begin("shadows", progress);
+  progress.enter(Stage::kShowing);
+  scene.sky = study.sky;
+  PhasePart meshing(progress, 0.0, kShareOfShownMesh);
+  Shower shower(study, mean, errors, nodes, scale_lux, meshing);
+  PhasePart lighting(progress, kShareOfShownMesh, 1.0);
+  show_surfaces(moments, shower, lit, results, lighting);
+  conclude(study, scene, progress, results);
+  if (results.converged) results.solution = std::move(kept);
+}
+
+/// From a stored solution to the results, where all shines and reflects as it did.
+void sense_as_stored(const Study& study, const StoredSolution& stored, Solved solved, Clock& clock,
+                     LimitedProgress& progress, Results& results) {
+  const SolutionErrors errors = restore(stored, solved.solution);
+  clock.begin("gathering", progress);
+  progress.enter(LimitedProgress::Stage::kGathering);
+  evaluate_all(study, solved.solution, errors, std::nullopt, results.grids, solved.seed, progress);
+  evaluate_tasks(study, solved.solution, errors, solved.sensors, solved.seed, results, progress);
+}
+
+/// The same by solving on the stored links.
+void sense_anew(const Study& study, const StoredSolution& stored, Solved solved, Clock& clock,
+                LimitedProgress& progress, Results& results) {
+  auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
+  clock.begin("solving", progress);
+  Relighting relighting = relighting_of(stored, solution);
+  if (!study.moments.empty()) {
+    clock.begin("gathering", progress);
+    progress.enter(LimitedProgress::Stage::kGathering);
+    Moments(study, scene, solution, relighting, true).gather(results, seed, progress);
+    leave_tasks(sensors, results);
+    return;
+  }
+  transport = relighting.light(progress);
+  std::optional<GroupRadiosity> groups;
+  if (scene.groups.has_columns()) groups = solve_groups(solution, transport);
+  results.counts.iterations = transport.iterations;
+  clock.begin("balancing", progress);
+  results.energy = energy_balance(solution, transport, seed);
+  clock.begin("gathering", progress);
+  progress.enter(LimitedProgress::Stage::kGathering);
+  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
+  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
 }
 
 ThreadLimit& thread_limit() {
@@ -384,7 +634,8 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
 
   progress.leave_time(kWritingOfGrid_s * static_cast<double>(results.grids.size()));
   clock.begin("meshing", progress);
-  Solution solution = unsolved(scene, progress);
+  const std::vector<mesh::FaceLine> lines = start_lines(scene, progress);
+  Solution solution = unsolved(scene, lines, progress);
 
   clock.begin("direct light", progress);
   progress.enter(Stage::kDirectLight);
@@ -399,36 +650,24 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("linking", progress);
   progress.enter(Stage::kLinking);
   solution.limit_elements(study.mesh.max_elements);
-  const std::vector<NodeDirect> given = direct.nodes;
-  const Transport transport = solve(
-      solution, importance, std::move(direct),
-      {.accuracy = target, .seed = seed, .clusters = study.parts.clusters, .keep_link_errors = study.keep_solution},
-      progress);
-  if (transport.out_of_elements) progress.out_of_elements();
-
-  std::optional<GroupRadiosity> groups;
-  if (scene.groups.has_columns()) {
-    clock.begin("channels", progress);
-    groups = solve_groups(solution, transport);
-  }
-
-  clock.begin("gathering", progress);
-  progress.enter(Stage::kGathering);
-  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
-  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
-
-  clock.begin("balancing", progress);
-  progress.enter(Stage::kShowing);
-  results.energy = energy_balance(solution, transport, seed);
+  Solved solved{scene, solution, sensors, {}, direct.nodes, importance.mean_lux(), seed};
+  solved.transport = solve(solution, importance, std::move(direct),
+                           {.accuracy = target,
+                            .seed = seed,
+                            .clusters = study.parts.clusters,
+                            .keep_link_errors = study.keep_solution || !study.moments.empty()},
+                           progress);
+  if (solved.transport.out_of_elements) progress.out_of_elements();
   results.counts.elements = solution.elements().size();
-  results.counts.links = transport.arrivals.count();
-  results.counts.link_bytes = transport.arrivals.bytes();
-  results.counts.iterations = transport.iterations;
+  results.counts.links = solved.transport.arrivals.count();
+  results.counts.link_bytes = solved.transport.arrivals.bytes();
+  results.counts.iterations = solved.transport.iterations;
 
-  clock.begin("shadows", progress);
-  show_surfaces(study, solution, transport.errors, given, importance.mean_lux(), results, progress);
-  conclude(study, scene, progress, results);
-  if (study.keep_solution) keep(solution, transport, target, results);
+  if (study.moments.empty())
+    answer(study, solved, clock, progress, results);
+  else
+    answer_moments(study, std::move(solved), clock, progress, results);
+  if (results.solution) store(lines, *results.solution);
   clock.end();
   return results;
 }
@@ -447,28 +686,16 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   const AllSensors sensors = place_all(study, scene, results, progress);
 
   clock.begin("meshing", progress);
-  Solution solution = unsolved(scene, progress);
+  Solution solution = unsolved(scene, lines_of(stored, scene), progress);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
-  Transport transport;
   results.energy = stored.energy;
-  std::optional<GroupRadiosity> groups;
-  if (needs_solving(stored, scene) || scene.groups.has_columns()) {
-    clock.begin("solving", progress);
-    transport = resolve(stored, solution, progress);
-    if (scene.groups.has_columns()) groups = solve_groups(solution, transport);
-    results.counts.iterations = transport.iterations;
-    clock.begin("balancing", progress);
-    results.energy = energy_balance(solution, transport, seed);
-  } else {
-    transport.errors = restore(stored, solution);
-  }
-  results.counts.elements = solution.elements().size();
   results.counts.links = stored.links;
-
-  clock.begin("gathering", progress);
-  progress.enter(LimitedProgress::Stage::kGathering);
-  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
-  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
+  const bool anew = needs_solving(stored, scene) || scene.groups.has_columns() || !study.moments.empty();
+  if (anew)
+    sense_anew(study, stored, {scene, solution, sensors, {}, {}, 0.0, seed}, clock, progress, results);
+  else
+    sense_as_stored(study, stored, {scene, solution, sensors, {}, {}, 0.0, seed}, clock, progress, results);
+  results.counts.elements = solution.elements().size();
   conclude(study, scene, progress, results);
   clock.end();
   return results;

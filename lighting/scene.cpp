@@ -15,6 +15,7 @@
 #include "lighting/openings.h"
 #include "lighting/parallel.h"
 #include "lighting/sampling.h"
+#include "lighting/scene_hash.h"
 #include "lighting/sun_light.h"
 #include "mesh/error.h"
 #include "mesh/hash.h"
@@ -235,19 +236,49 @@ double mean_luminance(const Sky& sky, const SkyPatches& patches, std::size_t pat
 }
 
 void measure_sky(Scene& scene) {
-  if (!scene.groups.has_patches() || !scene.has_sky()) return;
-  const SkyPatches& patches = scene.groups.patches();
-  for (std::uint32_t p = 0; p < patches.count(); ++p)
-    scene.groups.set_strength(p, mean_luminance(scene.sky, patches, p));
-  scene.groups.set_strength(static_cast<std::uint32_t>(patches.count()), sky_luminance(scene.sky, {0.0, 0.0, -1.0}));
-  if (scene.sky.sun.shines()) scene.groups.set_strength(scene.groups.of_sun(), scene.sky.sun.normal_illuminance_lux);
+  SourceGroups& groups = scene.groups;
+  if (scene.has_sky() && groups.has_patches()) {
+    const SkyPatches& patches = groups.patches();
+    for (std::uint32_t p = 0; p < patches.count(); ++p) groups.set_strength(p, mean_luminance(scene.sky, patches, p));
+    groups.set_strength(static_cast<std::uint32_t>(patches.count()), sky_luminance(scene.sky, {0.0, 0.0, -1.0}));
+  } else if (scene.has_sky()) {
+    groups.set_source(0, source_of(scene.sky));
+  }
+  if (!scene.sky.sun.shines()) return;
+  groups.set_strength(groups.of_sun(), scene.sky.sun.normal_illuminance_lux);
+  groups.set_source(groups.of_sun(), source_of(scene.sky.sun));
+}
+
+/// Of the light of several moments in one. The suns are told apart later: until then they are as good as unknown.
+void measure_moments(const Study& study, Scene& scene) {
+  if (scene.groups.has_patches()) measure_sky(scene);
+  for (std::size_t m = 0; m < study.moments.size(); ++m) {
+    scene.groups.set_strength(scene.groups.of_sky_at(m), scene.sky.parts[m].share);
+    scene.groups.set_source(scene.groups.of_sky_at(m), source_of(study.moments[m]));
+    scene.groups.set_strength(scene.groups.of_sun_at(m), 0.0);
+    scene.groups.set_source(scene.groups.of_sun_at(m), source_of(study.moments[m].sun));
+  }
+}
+
+void find_groups_of_daylight(const Study& study, Scene& scene) {
+  if (study.moments.empty()) {
+    scene.groups =
+        SourceGroups(study.columns, study.keep_solution, scene.has_sky(), scene.sky.sun.shines(), study.north_deg);
+    measure_sky(scene);
+    return;
+  }
+  if (study.columns == Columns::kSky145 || study.columns == Columns::kSky577)
+    throw InputError(study.name, 0, "patches of the sky are told apart at one moment, and several are asked for",
+                     "give results.columns = \"groups\", or one time");
+  std::vector<std::string> names;
+  for (const Sky& moment : study.moments) names.push_back(moment.moment);
+  scene.groups = SourceGroups(names, study.keep_solution, study.north_deg);
+  measure_moments(study, scene);
 }
 
 /// Names are given in the order of the sources, those of luminaires first.
 void find_groups(const Study& study, Scene& scene) {
-  scene.groups =
-      SourceGroups(study.columns, study.keep_solution, scene.has_sky(), scene.sky.sun.shines(), study.north_deg);
-  measure_sky(scene);
+  find_groups_of_daylight(study, scene);
   std::set<std::string> names;
   for (Luminaire& luminaire : scene.luminaires) {
     scene.luminaire_group.push_back(scene.groups.add_lamps(luminaire.group));
@@ -401,6 +432,32 @@ double luminaire_flux(const Scene& scene) {
   double flux_lm = 0.0;
   for (const Luminaire& luminaire : scene.luminaires) flux_lm += luminaire.flux_lm();
   return flux_lm;
+}
+
+void set_sky(Scene& scene, const Sky& sky, SourceGroups groups) {
+  std::vector<std::uint32_t> now(std::max<std::size_t>(1, scene.groups.count()), 0);
+  for (std::uint32_t g = 0; g < scene.groups.count(); ++g) {
+    const SourceGroup& own = scene.groups[g];
+    if (own.kind != SourceGroup::Kind::kLamps) continue;
+    now[g] = groups.add_lamps(own.name);
+    groups.set_strength(now[g], own.strength);
+  }
+  for (std::uint32_t& group : scene.luminaire_group) group = now[group];
+  for (std::uint32_t& group : scene.side_group) group = now[group];
+  scene.groups = std::move(groups);
+  scene.sky = sky;
+  measure_sky(scene);
+}
+
+void add_sky_light(const Scene& scene, const Vector& direction, double lux, double weight, GroupSums& sums) {
+  if (!scene.groups.parted()) return;
+  if (scene.sky.type != Sky::Type::kSum) {
+    sums.add(scene.groups.of_sky(direction), lux);
+    return;
+  }
+  if (scene.groups.has_patches()) sums.add(scene.groups.of_sky(direction), lux);
+  for (std::size_t m = 0; m < scene.sky.parts.size(); ++m)
+    sums.add(scene.groups.of_sky_at(m), weight * sky_luminance(scene.sky.parts[m], direction));
 }
 
 std::vector<Results::MaterialUse> material_uses(const Study& study) {

@@ -85,12 +85,22 @@ struct Scene {
 };
 
 /// Cleans the model of a study, builds its faces, and finds openings, reachable sides and the materials of every side.
-/// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area, dimming of lamps that are not there.
+/// Throws InputError: nothing left of the model, a reflectance of one or more, an emission without area, dimming of lamps that are not there,
+/// columns of the patches of the sky of several moments.
 /// @param progress  hears of the steps as phases; may be null
 Scene build_scene(const Study& study, Progress* progress = nullptr);
 
 /// Flux of all luminaires [lm].
 double luminaire_flux(const Scene& scene);
+
+/// Puts another sky with its sun in the place of a scene's. Lamps keep their groups, by name.
+/// @param groups  of that sky and sun, without lamps
+void set_sky(Scene& scene, const Sky& sky, SourceGroups groups);
+
+/// Adds the light that a ray brings from the sky or the ground to the sums of those groups that it is of.
+/// @param lux  by the scene's sky
+/// @param weight  lux over the luminance, π included
+void add_sky_light(const Scene& scene, const mesh::Vector& direction, double lux, double weight, GroupSums& sums);
 
 /// What each material of a study became, and why.
 std::vector<Results::MaterialUse> material_uses(const Study& study);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/scene_hash.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -95,10 +96,6 @@ std::uint64_t hash_of_reflectances(const Scene& scene) {
 std::uint64_t hash_of_sources(const Scene& scene) {
   Digest digest;
   for (const float exitance : scene.exitance) digest.add(exitance > 0.0F);
-  digest.add(scene.has_sky());
-  digest.add(scene.sky.sun.shines());
-  digest.add(scene.sky.sun.towards);
-  digest.add(scene.sky.sun.disc);
   for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
     add_luminaire(scene.luminaires[k], digest);
     const double dimming = scene.luminaire_dimming[k];
@@ -107,18 +104,24 @@ std::uint64_t hash_of_sources(const Scene& scene) {
   return digest.value();
 }
 
+void add_sky(const Sky& sky, Digest& digest) {
+  digest.add(static_cast<int>(sky.type));
+  digest.add(sky.horizontal_illuminance_lux);
+  digest.add(sky.ground_reflectance);
+  const SkyDistribution& shape = sky.distribution;
+  for (const double value : {shape.a, shape.b, shape.c, shape.d, shape.e, shape.k, sky.luminance_scale})
+    digest.add(value);
+  digest.add(shape.towards_sun);
+  digest.add(sky.sun.towards);
+  digest.add(sky.sun.normal_illuminance_lux);
+  digest.add(sky.sun.disc);
+  for (const Sky& part : sky.parts) add_sky(part, digest);
+}
+
 std::uint64_t hash_of_light(const Scene& scene) {
   Digest digest;
   digest.add_all(scene.exitance);
-  digest.add(static_cast<int>(scene.sky.type));
-  digest.add(scene.sky.horizontal_illuminance_lux);
-  digest.add(scene.sky.ground_reflectance);
-  const SkyDistribution& sky = scene.sky.distribution;
-  for (const double value : {sky.a, sky.b, sky.c, sky.d, sky.e, sky.k, scene.sky.luminance_scale}) digest.add(value);
-  digest.add(sky.towards_sun);
-  digest.add(scene.sky.sun.towards);
-  digest.add(scene.sky.sun.normal_illuminance_lux);
-  digest.add(scene.sky.sun.disc);
+  add_sky(scene.sky, digest);
   for (const Luminaire& luminaire : scene.luminaires) digest.add(luminaire.factor);
   return digest.value();
 }
@@ -128,6 +131,19 @@ std::uint64_t hash_of_light(const Scene& scene) {
 SceneHash hash_of(const Scene& scene) {
   return {hash_of_model(scene), hash_of_materials(scene), hash_of_reflectances(scene), hash_of_sources(scene),
           hash_of_light(scene)};
+}
+
+std::uint64_t source_of(const Sky& sky) {
+  Digest digest;
+  add_sky(sky, digest);
+  return std::max<std::uint64_t>(1, digest.value());
+}
+
+std::uint64_t source_of(const Sun& sun) {
+  Digest digest;
+  digest.add(sun.towards);
+  digest.add(sun.disc);
+  return std::max<std::uint64_t>(1, digest.value());
 }
 
 }  // namespace clerestory::lighting

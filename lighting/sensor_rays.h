@@ -128,8 +128,9 @@ class SensorRays {
   void look_at_sun(const SensorPart& part, std::size_t r, std::uint32_t until, const SobolPoints& points,
                    const SensorPlace& place, Taker& taker) const {
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const mesh::Vector towards = sun_direction(scene().sky.sun, points.at(i, 0), points.at(i, 1));
-      taker.sun(r, sun_illuminance(scene(), place.at, place.receiver, towards));
+      const Sun& sun = scene().sky.sun;
+      const mesh::Vector towards = sun_direction(sun, points.at(i, 0), points.at(i, 1));
+      taker.sun(r, sun_illuminance(scene(), sun, place.at, place.receiver, towards));
     }
   }
 

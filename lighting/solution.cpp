@@ -249,6 +249,13 @@ void Solution::set_deviation(ElementId e) {
   deviation_[e.index()] = static_cast<float>(std::sqrt(std::max(0.0, variance_[e.index()] - explained)));
 }
 
+void Solution::darken() {
+  std::fill(direct_.begin(), direct_.end(), LinearValue{});
+  std::fill(noise2_.begin(), noise2_.end(), 0.0F);
+  std::fill(misfit2_.begin(), misfit2_.end(), 0.0F);
+  clear_gathered();
+}
+
 double Solution::push_pull() {
   const auto roots = tree_.roots();
   parallel_for(

@@ -87,6 +87,8 @@ class Solution {
   [[nodiscard]] std::span<const LinearValue> gathered(mesh::ElementId e) const {
     return std::span(gathered_).subspan(e.index() * channels(), channels());
   }
+  /// Takes away all light and its errors; elements and what closes them stay.
+  void darken();
   void clear_gathered() { std::fill(gathered_.begin(), gathered_.end(), LinearValue{}); }
   /// Irradiance of an element in all [lux]; valid after push_pull().
   [[nodiscard]] std::span<const LinearValue> irradiance(mesh::ElementId e) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lighting/arrivals.h"
+#include "lighting/known_light.h"
 #include "lighting/radiosity.h"
 #include "lighting/scene.h"
 #include "lighting/solution.h"
@@ -41,6 +42,8 @@ void expect_whole(const StoredSolution& s, const Solution& solution) {
                     s.errors.size() == count && s.closing.size() == count &&
                     s.arrivals.size() == s.arrival_errors.size() && s.arrivals.size() == s.arrivals_made.size() &&
                     s.group_nodes.size() == s.group_lux.size() && s.group_names.size() == s.group_strengths.size() &&
+                    s.group_names.size() == s.group_kinds.size() && s.group_names.size() == s.group_sources.size() &&
+                    s.group_error_nodes.size() == s.group_errors.size() &&
                     s.given_errors.size() == count + s.open.size();
   const auto finite = [](const auto& values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
@@ -48,7 +51,7 @@ void expect_whole(const StoredSolution& s, const Solution& solution) {
   const auto all_finite = [&](const auto& rows) { return std::all_of(rows.begin(), rows.end(), finite); };
   if (!fits || !finite(s.misfit_lux) || !all_finite(s.irradiance) || !all_finite(s.errors) ||
       !all_finite(s.arrival_errors) || !all_finite(s.closing) || !all_finite(s.group_lux) ||
-      !all_finite(s.given_errors)) {
+      !all_finite(s.given_errors) || !all_finite(s.group_errors)) {
     damaged();
   }
 }
@@ -105,17 +108,26 @@ void store_transport(const Solution& solution, const Transport& transport, Store
       stored.arrivals_made.push_back((error.split_small ? kSplitSmall : 0U) | (error.rough ? kRough : 0U));
     }
   }
-  for (const SourceGroup& group : solution.scene().groups.all()) {
-    stored.group_names.push_back(group.name);
-    stored.group_strengths.push_back(group.strength);
-  }
-  for (const GroupDirect& direct : transport.groups) {
-    stored.group_nodes.push_back({direct.node.value, direct.group});
-    stored.group_lux.push_back(row_of(direct.lux));
-  }
   for (const ElementId e : nodes_of(solution))
     stored.given_errors.push_back(
         {transport.given_errors[e.index()].noise2, transport.given_errors[e.index()].misfit2});
+}
+
+void store_light(const KnownLight& light, StoredSolution& stored) {
+  for (const SourceGroup& group : light.groups) {
+    stored.group_names.push_back(group.name);
+    stored.group_strengths.push_back(group.strength);
+    stored.group_kinds.push_back(static_cast<std::uint32_t>(group.kind));
+    stored.group_sources.push_back(group.source);
+  }
+  for (const GroupDirect& direct : light.direct) {
+    stored.group_nodes.push_back({direct.node.value, direct.group});
+    stored.group_lux.push_back(row_of(direct.lux));
+  }
+  for (const GroupError& error : light.errors) {
+    stored.group_error_nodes.push_back({error.node.value, error.group});
+    stored.group_errors.push_back({error.errors.noise2, error.errors.misfit2});
+  }
 }
 
 }  // namespace
@@ -131,12 +143,33 @@ std::vector<ElementId> nodes_of(const Solution& solution) {
 
 LinearValue line_of(const std::array<float, 3>& row) { return {row[0], row[1], row[2]}; }
 
+void store(const std::vector<mesh::FaceLine>& lines, StoredSolution& stored) {
+  for (const mesh::FaceLine& line : lines) {
+    const auto& [a, b] = line.ends;
+    stored.start_faces.push_back(line.face.value);
+    stored.start_lines.push_back({a.x, a.y, a.z, b.x, b.y, b.z});
+  }
+}
+
+std::vector<mesh::FaceLine> lines_of(const StoredSolution& stored, const Scene& scene) {
+  expect_same(stored.scene, hash_of(scene));
+  if (stored.start_faces.size() != stored.start_lines.size()) damaged();
+  std::vector<mesh::FaceLine> lines;
+  for (std::size_t i = 0; i < stored.start_faces.size(); ++i) {
+    const std::array<double, 6>& p = stored.start_lines[i];
+    const bool finite = std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+    if (stored.start_faces[i] >= scene.faces.count() || !finite) damaged();
+    lines.push_back({mesh::FaceId(stored.start_faces[i]), {mesh::Point{p[0], p[1], p[2]}, {p[3], p[4], p[5]}}});
+  }
+  return lines;
+}
+
 bool needs_solving(const StoredSolution& stored, const Scene& scene) {
   const SceneHash now = hash_of(scene);
   return stored.scene.reflectances != now.reflectances || stored.scene.light != now.light;
 }
 
-StoredSolution store(const Solution& solution, const Transport& transport, double accuracy) {
+StoredSolution store(const Solution& solution, const Transport& transport, const KnownLight& light, double accuracy) {
   const mesh::ElementTree& tree = solution.tree();
   StoredSolution stored;
   stored.scene = hash_of(solution.scene());
@@ -153,6 +186,7 @@ StoredSolution store(const Solution& solution, const Transport& transport, doubl
   });
   store_elements(solution, transport.errors, stored);
   store_transport(solution, transport, stored);
+  store_light(light, stored);
   return stored;
 }
 
@@ -174,6 +208,30 @@ SolutionErrors restore(const StoredSolution& stored, Solution& solution) {
     errors[e.index()] = stored.errors[i];
   }
   return {std::move(errors), stored.seed};
+}
+
+KnownLight stored_light(const StoredSolution& stored, const Solution& solution) {
+  KnownLight light;
+  for (std::size_t g = 0; g < stored.group_names.size(); ++g) {
+    if (stored.group_kinds[g] > static_cast<std::uint32_t>(SourceGroup::Kind::kLamps)) damaged();
+    light.groups.push_back({stored.group_names[g], static_cast<SourceGroup::Kind>(stored.group_kinds[g]),
+                            stored.group_strengths[g], stored.group_sources[g]});
+  }
+  const auto expect_known = [&](const std::array<std::uint32_t, 2>& where) {
+    if (where[0] >= solution.tree().size() || where[1] >= light.groups.size()) damaged();
+  };
+  for (std::size_t i = 0; i < stored.group_nodes.size(); ++i) {
+    expect_known(stored.group_nodes[i]);
+    light.direct.push_back(
+        {ElementId(stored.group_nodes[i][0]), stored.group_nodes[i][1], line_of(stored.group_lux[i])});
+  }
+  for (std::size_t i = 0; i < stored.group_error_nodes.size(); ++i) {
+    expect_known(stored.group_error_nodes[i]);
+    light.errors.push_back({ElementId(stored.group_error_nodes[i][0]),
+                            stored.group_error_nodes[i][1],
+                            {stored.group_errors[i][0], stored.group_errors[i][1]}});
+  }
+  return light;
 }
 
 Arrivals stored_arrivals(const StoredSolution& stored, const Solution& solution, std::size_t clusters) {

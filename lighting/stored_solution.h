@@ -9,6 +9,7 @@
 
 #include "lighting/energy_balance.h"
 #include "lighting/scene_hash.h"
+#include "mesh/faces.h"
 #include "mesh/ids.h"
 
 namespace clerestory::lighting {
@@ -16,19 +17,22 @@ namespace clerestory::lighting {
 class Arrivals;
 class Solution;
 class SolutionErrors;
+struct KnownLight;
 struct LinearValue;
 struct Scene;
 struct Transport;
 
 /// A solution as it is kept: what its element tree has become, by numbers of nodes, and what its elements receive. The start of the tree
-/// follows from the scene, which the hash holds fast.
+/// follows from the scene, which the hash holds fast, and its lines.
 struct StoredSolution {
   SceneHash scene;
   double accuracy = 0.0;  ///< asked for
   std::uint32_t channels = 1;
-  std::uint32_t roots = 0;             ///< of the tree
-  std::vector<std::uint32_t> divided;  ///< nodes, in the order in which they were
-  std::vector<std::uint32_t> open;     ///< nodes whose children take part, in order
+  std::vector<std::uint32_t> start_faces;          ///< that have lines which elements do not cross
+  std::vector<std::array<double, 6>> start_lines;  ///< of these, both ends [m, local coordinates]
+  std::uint32_t roots = 0;                         ///< of the tree
+  std::vector<std::uint32_t> divided;              ///< nodes, in the order in which they were
+  std::vector<std::uint32_t> open;                 ///< nodes whose children take part, in order
   std::vector<std::uint32_t> elements;
   std::vector<std::array<float, 3>>
       irradiance;                            ///< [elements × channels] value [lux] and slopes [lux/m], as LinearValue
@@ -46,13 +50,27 @@ struct StoredSolution {
   std::vector<std::array<float, 3>> closing;            ///< [elements] as LinearValue
   std::vector<std::string> group_names;
   std::vector<double> group_strengths;
-  std::vector<std::array<std::uint32_t, 2>> group_nodes;  ///< node and group that it has direct light of
-  std::vector<std::array<float, 3>> group_lux;            ///< of these [lux, lux/m], as LinearValue
-  std::vector<std::array<float, 2>> given_errors;         ///< [nodes that take part] Transport::given_errors
+  std::vector<std::uint32_t> group_kinds;                       ///< as SourceGroup::Kind
+  std::vector<std::uint64_t> group_sources;                     ///< as SourceGroup::source
+  std::vector<std::array<std::uint32_t, 2>> group_nodes;        ///< node and group that it has direct light of
+  std::vector<std::array<float, 3>> group_lux;                  ///< of these [lux, lux/m], as LinearValue
+  std::vector<std::array<std::uint32_t, 2>> group_error_nodes;  ///< node and group whose errors are known apart
+  std::vector<std::array<float, 2>> group_errors;               ///< of these, as GroupError
+  std::vector<std::array<float, 2>> given_errors;               ///< [nodes that take part] Transport::given_errors
 };
 
-/// All but the energy balance, which the solution does not know. The scene's groups must be told apart, and the links' errors be kept.
-StoredSolution store(const Solution& solution, const Transport& transport, double accuracy);
+/// All but the energy balance, which the solution does not know. The links' errors must be kept.
+/// @param light  that the solution's direct light is made of
+StoredSolution store(const Solution& solution, const Transport& transport, const KnownLight& light, double accuracy);
+
+/// The direct light of a stored solution whose tree has been regrown. Throws InputError where it is damaged.
+KnownLight stored_light(const StoredSolution& stored, const Solution& solution);
+
+/// Adds the lines that the tree's elements did not cross from the start, such as the edges of sun patches.
+void store(const std::vector<mesh::FaceLine>& lines, StoredSolution& stored);
+
+/// These lines. Throws InputError where they are damaged, or the scene is another, and says what has changed.
+std::vector<mesh::FaceLine> lines_of(const StoredSolution& stored, const Scene& scene);
 
 /// Whether surfaces reflect, or sources shine, otherwise than when the solution was stored.
 bool needs_solving(const StoredSolution& stored, const Scene& scene);

@@ -98,6 +98,8 @@ struct Study {
   std::vector<float> band_weights;
   mesh::CleanOptions clean;
   Sky sky;
+  /// Where light is asked for at several moments: the sky of each, with its name in columns; `sky` is their mean_sky() then.
+  std::vector<Sky> moments;
   std::vector<Luminaire> luminaires;  ///< model coordinates
   std::vector<GridRequest> grids;
   std::vector<Observer> observers;

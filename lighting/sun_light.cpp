@@ -37,6 +37,16 @@ double share_from(const Scene& scene, const Point& at, const Vector& direction, 
   return seeker.share;
 }
 
+double whole_illuminance(const Scene& scene, const Sun& sun, const Point& at, const Receiver& receiver) {
+  if (!sun.shines()) return 0.0;
+  if (!sun.disc) return sun_illuminance(scene, sun, at, receiver, sun.towards);
+  static const SobolPoints kNumbers(0x50F);
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < kPlacesOfDisc; ++i)
+    sum += sun_illuminance(scene, sun, at, receiver, sun_direction(sun, kNumbers.at(i, 0), kNumbers.at(i, 1)));
+  return sum / kPlacesOfDisc;
+}
+
 }  // namespace
 
 Vector sun_direction(const Sun& sun, double a, double b) {
@@ -61,8 +71,8 @@ std::vector<Vector> pane_normals(const Scene& scene) {
   return normals;
 }
 
-double sun_illuminance(const Scene& scene, const Point& at, const Receiver& receiver, const Vector& towards) {
-  const Sun& sun = scene.sky.sun;
+double sun_illuminance(const Scene& scene, const Sun& sun, const Point& at, const Receiver& receiver,
+                       const Vector& towards) {
   if (!sun.shines()) return 0.0;
   double sum = 0.0;
   const double straight = receiver.kernel(towards);
@@ -76,14 +86,9 @@ double sun_illuminance(const Scene& scene, const Point& at, const Receiver& rece
 }
 
 double sun_illuminance(const Scene& scene, const Point& at, const Receiver& receiver) {
-  const Sun& sun = scene.sky.sun;
-  if (!sun.shines()) return 0.0;
-  if (!sun.disc) return sun_illuminance(scene, at, receiver, sun.towards);
-  static const SobolPoints kNumbers(0x50F);
   double sum = 0.0;
-  for (std::uint32_t i = 0; i < kPlacesOfDisc; ++i)
-    sum += sun_illuminance(scene, at, receiver, sun_direction(sun, kNumbers.at(i, 0), kNumbers.at(i, 1)));
-  return sum / kPlacesOfDisc;
+  scene.sky.for_suns([&](const Sun& sun) { sum += whole_illuminance(scene, sun, at, receiver); });
+  return sum;
 }
 
 }  // namespace clerestory::lighting

@@ -32,12 +32,12 @@ constexpr std::uint32_t kMostRays = 512;
 double SunSampler::lux(ElementId e, const Point& p, double a, double b) const {
   const Scene& scene = solution_.scene();
   const mesh::Vector& normal = solution_.tree().normal(e);
-  return sun_illuminance(scene, p + scene.rays->offset_m() * normal, normal, sun_direction(scene.sky.sun, a, b));
+  return sun_illuminance(scene, sun_, p + scene.rays->offset_m() * normal, normal, sun_direction(sun_, a, b));
 }
 
 SunSurvey SunSampler::survey(ElementId e, SunView known) const {
   SunSurvey result;
-  if (known == SunView::kNone || !solution_.scene().sky.sun.shines()) return result;
+  if (known == SunView::kNone || !sun_.shines()) return result;
   const mesh::ElementTree& tree = solution_.tree();
   const auto wanted = static_cast<std::uint32_t>(std::min<double>(kMostPlaces, tree.area(e) / kPlaceArea));
   const std::uint32_t places = known == SunView::kWhole ? kPlacesOfWhole : std::max(kLeastPlaces, wanted);

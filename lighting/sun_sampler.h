@@ -24,11 +24,12 @@ struct SunSurvey {
   LinearFit fit;
 };
 
-/// Looks from nodes at the sun. Its light has hard edges: a few rays tell nothing of a patch that they miss, so that a node counts as lit
+/// Looks from nodes at a sun. Its light has hard edges: a few rays tell nothing of a patch that they miss, so that a node counts as lit
 /// nowhere or everywhere only when a ray from every square decimetre of it says so.
 class SunSampler {
  public:
-  SunSampler(const Solution& solution, std::uint64_t seed) : solution_(solution), seed_(seed) {}
+  SunSampler(const Solution& solution, const Sun& sun, std::uint64_t seed)
+      : solution_(solution), sun_(sun), seed_(seed) {}
 
   /// @param known  of the node that it is a part of
   [[nodiscard]] SunSurvey survey(mesh::ElementId e, SunView known) const;
@@ -39,6 +40,7 @@ class SunSampler {
   [[nodiscard]] double lux(mesh::ElementId e, const mesh::Point& p, double a, double b) const;
 
   const Solution& solution_;
+  Sun sun_;
   std::uint64_t seed_;
 };
 

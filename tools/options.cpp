@@ -68,6 +68,8 @@ constexpr const char* kIlluminanceFooter = R"(Examples:
   clerestory illuminance office.toml --set sky.type=none -o night
   clerestory illuminance office.toml --set sky.type=weather --set sky.sun=true --time 2026-03-21T12:00
                                                       daylight and sun at a moment, with site.weather in the study
+  clerestory illuminance office.toml --time 2026-03-21T09:00,2026-03-21T12:00,2026-03-21T15:00
+                                                      several moments from one solution, in columns of their own
   clerestory illuminance office.toml --threads 1 --accuracy 1%
   clerestory illuminance city.toml --max-time 10min --max-memory 8GB --keep-partial
                                                       what can be had within the limits, or until ctrl-C
@@ -79,6 +81,8 @@ constexpr const char* kSenseFooter = R"(Examples:
   clerestory sense office-results --grid 'name = "desks", surface = "desk*", height = 0.0, spacing = 0.1'
   clerestory sense office-results --grid 'name = "eyes", points = "eyes.pts"' -o eyes
                                                       a grid has the keys of [[grids]] in a study
+  clerestory sense office-results --time 2026-06-21T15:00 --set groups.row-a.dimming=0.4 -o later
+                                                      another moment, other dimming: by the stored links
 )";
 
 /// A subcommand, in the order of the help.
@@ -125,7 +129,7 @@ struct Raw {
   bool json = false;
   bool strict = false;
   bool lines = false;
-  std::string time;
+  std::vector<std::string> times;
   std::string max_time;
   std::string max_memory;
   bool keep_partial = false;
@@ -190,6 +194,15 @@ void add_model_options(CLI::App& app, Raw& raw) {
   app.add_flag("--json", raw.json, "The report as JSON on stdout");
 }
 
+void add_times(CLI::App& app, Raw& raw) {
+  app.add_option("--time", raw.times,
+                 "The moment of the daylight, local standard time (sky.time); may be repeated, or a list with commas: "
+                 "each moment has columns of its own then")
+      ->type_name("YYYY-MM-DDTHH:MM")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
 void add_command(CLI::App& app, const Command& command, Raw& raw) {
   CLI::App& own = *app.add_subcommand(command.name, command.meaning);
   own.footer(command.footer);
@@ -214,6 +227,7 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
       break;
     case Request::What::kSense:
       add_run_options(own, raw, "RESULTS-sense");
+      add_times(own, raw);
       own.add_option("--grid", raw.grids, "A grid in place of the study's, by the keys of [[grids]]; may be repeated")
           ->type_name("KEYS")
           ->allow_extra_args(false);
@@ -221,9 +235,7 @@ void add_command(CLI::App& app, const Command& command, Raw& raw) {
       break;
     default:
       add_run_options(own, raw);
-      if (command.what == Request::What::kIlluminance)
-        own.add_option("--time", raw.time, "The moment of the daylight, local standard time (sky.time)")
-            ->type_name("YYYY-MM-DDTHH:MM");
+      if (command.what == Request::What::kIlluminance) add_times(own, raw);
       own.add_flag("--save-solution", raw.save_solution, "Keeps the solution too, for clerestory sense");
       add_limits(own, raw);
   }
@@ -313,6 +325,12 @@ std::string parse_moment(std::string text) {
   return text;
 }
 
+std::vector<std::string> moments_of(const std::vector<std::string>& times) {
+  std::vector<std::string> moments;
+  for (const std::string& time : times) moments.push_back(parse_moment(time));
+  return moments;
+}
+
 /// The command line's own words for keys of the study, behind the user's --set.
 std::vector<std::string> settings_of(const Raw& raw) {
   std::vector<std::string> set = raw.set;
@@ -321,10 +339,8 @@ std::vector<std::string> settings_of(const Raw& raw) {
   if (!raw.up.empty()) set.push_back(fmt::format("model.up={}", raw.up));
   if (!raw.gap.empty()) set.push_back(fmt::format("model.gap={}", raw.gap));
   if (!raw.repair.empty()) set.push_back(fmt::format("model.repair={}", raw.repair));
-  if (!raw.time.empty()) set.push_back("sky.time=" + parse_moment(raw.time));
-  std::string grids;
-  for (const std::string& keys : raw.grids) grids += fmt::format("{}{{{}}}", grids.empty() ? "" : ", ", keys);
-  if (!grids.empty()) set.push_back(fmt::format("grids=[{}]", grids));
+  if (raw.times.size() == 1) set.push_back("sky.time=" + parse_moment(raw.times.front()));
+  if (raw.times.size() > 1) set.push_back(fmt::format("sky.time=[{}]", fmt::join(moments_of(raw.times), ", ")));
   return set;
 }
 
@@ -342,6 +358,7 @@ Options options_of(const Command& command, const Raw& raw, std::span<const char*
   options.study = raw.study;
   options.out = raw.out.empty() ? default_out(command, raw.study) : std::filesystem::path(raw.out);
   options.set = settings_of(raw);
+  options.grids = raw.grids;
   options.threads = raw.threads;
   options.quiet = raw.quiet;
   options.json = raw.json;

@@ -22,8 +22,9 @@ struct Options {
   std::filesystem::path study;  ///< or a model; of sense, the folder of results
   std::filesystem::path out;    ///< the folder of the results; of clean, the model to write; of inspect, the diagram
   std::vector<std::string>
-      set;          ///< "key=value", in the order given; last what has an option of its own: "accuracy.target=..."
-  int threads = 0;  ///< 0: every core
+      set;  ///< "key=value", in the order given; last what has an option of its own: "accuracy.target=..."
+  std::vector<std::string> grids;  ///< of sense, in place of the study's, each by the keys of [[grids]]
+  int threads = 0;                 ///< 0: every core
   bool quiet = false;
   bool json = false;
   bool strict = false;  ///< of inspect: what cannot be mended is an error

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "io/csv.h"
 #include "io/stopwatch.h"
 #include "io/summary.h"
 #include "io/text_table.h"
@@ -25,7 +26,7 @@ std::string daylight_table(const std::vector<lighting::GridResult>& grids) {
       {"grid", "sensors", "mean", "median", "minimum", "uniformity", "above 2 %", "above 5 %", "mean lux", "accuracy"}};
   for (const auto& grid : grids) {
     const lighting::GridMetrics& m = grid.metrics;
-    rows.push_back({grid.name, std::to_string(grid.sensors.count()), figure(m.mean_df_percent) + " %",
+    rows.push_back({io::full_name(grid), std::to_string(grid.sensors.count()), figure(m.mean_df_percent) + " %",
                     figure(m.median_df_percent) + " %", figure(m.minimum_df_percent) + " %",
                     fmt::format("{:.2f}", m.uniformity), percent(m.share_above_2_percent),
                     percent(m.share_above_5_percent), figure(m.mean_lux), percent(m.accuracy_reached)});
@@ -38,7 +39,7 @@ std::string illuminance_table(const std::vector<lighting::GridResult>& grids) {
       {"grid", "sensors", "mean", "median", "minimum", "maximum", "uniformity", "accuracy"}};
   for (const auto& grid : grids) {
     const lighting::GridMetrics& m = grid.metrics;
-    rows.push_back({grid.name, std::to_string(grid.sensors.count()), figure(m.mean_lux) + " lx",
+    rows.push_back({io::full_name(grid), std::to_string(grid.sensors.count()), figure(m.mean_lux) + " lx",
                     figure(m.median_lux) + " lx", figure(m.minimum_lux) + " lx", figure(m.maximum_lux) + " lx",
                     fmt::format("{:.2f}", m.uniformity), percent(m.accuracy_reached)});
   }
@@ -50,7 +51,7 @@ std::string modelling_table(const std::vector<lighting::GridResult>& grids) {
   std::vector<io::TextRow> rows = {{"grid", "mean cylindrical", "mean modelling"}};
   for (const auto& grid : grids) {
     if (grid.cylindrical_lux.empty()) continue;
-    rows.push_back({grid.name, figure(grid.metrics.mean_cylindrical_lux) + " lx",
+    rows.push_back({io::full_name(grid), figure(grid.metrics.mean_cylindrical_lux) + " lx",
                     fmt::format("{:.2f}", grid.metrics.mean_modelling)});
   }
   return rows.size() > 1 ? "\n" + io::text_table(rows) : "";
@@ -63,8 +64,9 @@ std::string heading(const io::ResultContext& context) {
 
 std::string left_out(const std::vector<lighting::GridResult>& grids) {
   std::string text;
+  std::set<std::string_view> told;
   for (const auto& grid : grids)
-    if (grid.sensors.left_out > 0)
+    if (grid.sensors.left_out > 0 && told.insert(grid.name).second)
       text += fmt::format("{}: {} left out inside solids\n", grid.name,
                           grid.sensors.left_out == 1 ? "1 sensor" : fmt::format("{} sensors", grid.sensors.left_out));
   return text;
@@ -91,7 +93,8 @@ std::string figures_of_the_run(const lighting::Results& results) {
 
 std::string places(const lighting::Results& results, const std::filesystem::path& out) {
   std::string text;
-  for (const auto& grid : results.grids) text += fmt::format("map       {}\n", (out / (grid.name + ".png")).string());
+  for (const auto& grid : results.grids)
+    text += fmt::format("map       {}\n", (out / (io::full_name(grid) + ".png")).string());
   return text + fmt::format("results   {}\n", (out / "").string());
 }
 

@@ -20,6 +20,8 @@ std::string sky_alone_in_words(const lighting::Sky& sky) {
       return fmt::format("uniform sky of {:.6g} lx", sky.horizontal_illuminance_lux);
     case lighting::Sky::Type::kCieOvercast:
       return fmt::format("CIE overcast sky of {:.6g} lx", sky.horizontal_illuminance_lux);
+    case lighting::Sky::Type::kSum:
+      return "daylight at several moments";
     case lighting::Sky::Type::kDistribution:
       return fmt::format("{} of {:.6g} lx", sky.name, sky.horizontal_illuminance_lux);
   }

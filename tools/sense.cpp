@@ -41,7 +41,10 @@ int sense(const Options& options) {
     const auto stored = std::make_shared<const io::SolutionFile>(io::read_solution(file));
     std::vector<std::string> set = stored->set;
     set.insert(set.end(), options.set.begin(), options.set.end());
-    Question question{stored->study, io::read_study(stored->study, {stored->kind, std::move(set)}), {}};
+    Question question{
+        stored->study,
+        io::read_study(stored->study, {.kind = stored->kind, .set = std::move(set), .grids = options.grids}),
+        {}};
     question.compute = [study = question.input.study, stored, file](Progress& progress,
                                                                     const lighting::Limits& limits) {
       return with_file(file, [&] { return lighting::sense(study, stored->solution, progress, limits); });

@@ -24,8 +24,10 @@ lighting::GridResult two_sensors() {
   return grid;
 }
 
+std::string csv_of(const lighting::GridResult& grid) { return grid_csv(std::span(&grid, 1)); }
+
 TEST(Csv, HasASensorALineInTheOrderOfTheSensors) {
-  EXPECT_EQ(grid_csv(two_sensors()),
+  EXPECT_EQ(csv_of(two_sensors()),
             "id,x,y,z,nx,ny,nz,illuminance_lux,error_lux\n"
             "0,1.5,2,0.8,0,0,1,123.456,1.5\n"
             "1,612345.123456,0,0.3,0,0.6,0.8,100000,0.0000001\n");
@@ -34,7 +36,7 @@ TEST(Csv, HasASensorALineInTheOrderOfTheSensors) {
 TEST(Csv, HasTheDaylightFactorWhereTheGridHasIt) {
   auto grid = two_sensors();
   grid.daylight_factor_percent = {1.25F, 0.0F};
-  const std::string csv = grid_csv(grid);
+  const std::string csv = csv_of(grid);
   EXPECT_NE(csv.find(",error_lux,daylight_factor_percent\n"), std::string::npos);
   EXPECT_NE(csv.find(",123.456,1.5,1.25\n"), std::string::npos);
 }
@@ -44,7 +46,7 @@ TEST(Csv, HasCylindricalIlluminanceAndModellingWhereTheGridHasThem) {
   grid.illuminance_lux = {200.0F, 0.0F};
   grid.cylindrical_lux = {100.0F, 0.0F};
   grid.cylindrical_error_lux = {0.5F, 0.25F};
-  const std::string csv = grid_csv(grid);
+  const std::string csv = csv_of(grid);
   EXPECT_NE(csv.find(",error_lux,cylindrical_lux,cylindrical_error_lux,modelling\n"), std::string::npos);
   EXPECT_NE(csv.find(",200,1.5,100,0.5,0.5\n"), std::string::npos);
   EXPECT_NE(csv.find(",0,0.0000001,0,0.25,0\n"), std::string::npos);
@@ -67,15 +69,15 @@ TEST(Csv, AnObserverALineWithAnEmptyUgrWhereNothingGlares) {
 TEST(Csv, SensorsKeepTheirNumbersWhereOthersAreLeftOut) {
   auto grid = two_sensors();
   grid.sensors.ids = {3, 7};
-  EXPECT_NE(grid_csv(grid).find("\n3,1.5,"), std::string::npos);
-  EXPECT_NE(grid_csv(grid).find("\n7,612345"), std::string::npos);
+  EXPECT_NE(csv_of(grid).find("\n3,1.5,"), std::string::npos);
+  EXPECT_NE(csv_of(grid).find("\n7,612345"), std::string::npos);
 }
 
 TEST(Csv, LightReadsBackAsTheSameFloat) {
   auto grid = two_sensors();
   for (const float value : {0.1F, 1.0F / 3.0F, 16777217.0F, std::numeric_limits<float>::min(), 3.4e38F}) {
     grid.illuminance_lux[0] = value;
-    std::istringstream line(grid_csv(grid));
+    std::istringstream line(csv_of(grid));
     std::string field;
     std::getline(line, field);
     for (int i = 0; i < 8; ++i) std::getline(line, field, ',');
@@ -91,9 +93,9 @@ struct OddNumbers : std::numpunct<char> {
 };
 
 TEST(Csv, DoesNotDependOnTheLocale) {
-  const std::string plain = grid_csv(two_sensors());
+  const std::string plain = csv_of(two_sensors());
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new OddNumbers));
-  const std::string odd = grid_csv(two_sensors());
+  const std::string odd = csv_of(two_sensors());
   std::locale::global(before);
   EXPECT_EQ(odd, plain);
 }
@@ -102,31 +104,46 @@ TEST(Csv, NeverHoldsAValueThatIsNotFinite) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     auto grid = two_sensors();
     grid.error_lux[1] = bad;
-    EXPECT_THROW(grid_csv(grid), std::logic_error);
+    EXPECT_THROW(csv_of(grid), std::logic_error);
   }
 }
 
 TEST(Csv, RefusesArraysOfDifferentLengths) {
   auto grid = two_sensors();
   grid.error_lux.pop_back();
-  EXPECT_THROW(grid_csv(grid), std::logic_error);
+  EXPECT_THROW(csv_of(grid), std::logic_error);
 }
 
 TEST(Csv, GroupsAreColumnsBehindAllOthers) {
   auto grid = two_sensors();
   grid.groups = {{"row a", {1.5F, 2.5F}, {0.5F, 0.25F}}};
-  const std::string text = grid_csv(grid);
+  const std::string text = csv_of(grid);
   const std::string head = text.substr(0, text.find('\n'));
   EXPECT_TRUE(head.ends_with(",illuminance_lux_row-a,error_lux_row-a")) << head;
   EXPECT_TRUE(text.ends_with(",2.5,0.25\n")) << text;
   grid.groups[0].error_lux.pop_back();
-  EXPECT_THROW(grid_csv(grid), std::logic_error);
+  EXPECT_THROW(csv_of(grid), std::logic_error);
 }
 
 TEST(Csv, AFileThatCannotBeWrittenIsTheMachinesFault) {
   const test::ScratchFolder scratch;
-  EXPECT_THROW(write_grid_csv(scratch.path() / "missing" / "desk.csv", two_sensors()), MachineError);
-  EXPECT_THROW(write_grid_csv("/dev/full", two_sensors()), MachineError);
+  EXPECT_THROW(write_grid_csv(scratch.path() / "missing" / "desk.csv", std::vector{two_sensors()}), MachineError);
+  EXPECT_THROW(write_grid_csv("/dev/full", std::vector{two_sensors()}), MachineError);
+}
+
+TEST(Csv, SeveralMomentsHaveColumnsOfTheirOwn) {
+  std::vector<lighting::GridResult> moments(2, two_sensors());
+  moments[0].moment = "2026-03-21T0900";
+  moments[1].moment = "2026-03-21T1200";
+  moments[1].illuminance_lux = {7.0F, 8.0F};
+  moments[1].groups = {{"row a", {1.0F, 2.0F}, {0.5F, 0.25F}}};
+  const std::string csv = grid_csv(moments);
+  EXPECT_TRUE(csv.starts_with(
+      "id,x,y,z,nx,ny,nz,illuminance_lux_2026-03-21T0900,error_lux_2026-03-21T0900,illuminance_lux_2026-03-21T1200,"
+      "error_lux_2026-03-21T1200,illuminance_lux_row-a_2026-03-21T1200,error_lux_row-a_2026-03-21T1200\n"));
+  EXPECT_NE(csv.find(",123.456,1.5,7,1.5,1,0.5\n"), std::string::npos) << csv;
+  EXPECT_EQ(full_name(moments[1]), "desk_2026-03-21T1200");
+  EXPECT_EQ(full_name(two_sensors()), "desk");
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ SolutionFile example() {
   s.closing = {{1, 0, 0}, {1.5F, 0.5F, -0.5F}};
   s.group_names = {"sky-1", "ground", "row a"};
   s.group_strengths = {1000.5, 200.25, 1.0};
+  s.group_kinds = {1, 2, 4};
+  s.group_sources = {0, 7, 0xFFFFFFFFFFFFFFFFULL};
+  s.group_error_nodes = {{5, 1}};
+  s.group_errors = {{0.125F, 0.0625F}};
+  s.start_faces = {3};
+  s.start_lines = {{0.1, 0.2, 0.3, 1.1, 1.2, 1.3}};
   s.group_nodes = {{5, 0}, {6, 2}};
   s.group_lux = {{10, 1, -1}, {20, 2, -2}};
   s.given_errors = {{0.5F, 0.25F}};
@@ -103,6 +109,12 @@ TEST_F(SolutionFiles, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(a.closing, b.closing);
   EXPECT_EQ(a.group_names, b.group_names);
   EXPECT_EQ(a.group_strengths, b.group_strengths);
+  EXPECT_EQ(a.group_kinds, b.group_kinds);
+  EXPECT_EQ(a.group_sources, b.group_sources);
+  EXPECT_EQ(a.group_error_nodes, b.group_error_nodes);
+  EXPECT_EQ(a.group_errors, b.group_errors);
+  EXPECT_EQ(a.start_faces, b.start_faces);
+  EXPECT_EQ(a.start_lines, b.start_lines);
   EXPECT_EQ(a.group_nodes, b.group_nodes);
   EXPECT_EQ(a.group_lux, b.group_lux);
   EXPECT_EQ(a.given_errors, b.given_errors);
@@ -141,7 +153,7 @@ TEST_F(SolutionFiles, OfOthersAreRefused) {
   EXPECT_THAT(refusal(file_, std::string(600, 'x')), HasSubstr("no stored solution"));
   write_solution(file_, example());
   std::string older = bytes_of(file_);
-  older[older.find("version 3") + 8] = '0';
+  older[older.find("version 4") + 8] = '0';
   EXPECT_THAT(refusal(file_, older), HasSubstr("another version"));
 }
 

@@ -132,6 +132,26 @@ TEST(StudyCheck, OverridesAreCheckedLikeTheFile) {
   EXPECT_THAT(setting_refusal("sky.type=none\nsun=true"), HasSubstr("--set sky.type=none"));
 }
 
+/// What is said of a grid in the place of the study's.
+std::string grid_refusal(const std::string& keys) {
+  const StudyFolder folder;
+  return refusal_of([&] { (void)folder.read("[model]\nfile = 'room.obj'\n", {.set = {}, .grids = {keys}}); });
+}
+
+TEST(StudyCheck, GridsInThePlaceOfTheStudysAreCheckedByTheirOwnWords) {
+  const StudyFolder folder;
+  const auto study = folder
+                         .read("[model]\nfile = 'room.obj'\n[[grids]]\nname = 'a'\n",
+                               {.set = {}, .grids = {"name = 'b', height = 1.0", "name = 'c'"}})
+                         .study;
+  ASSERT_EQ(study.grids.size(), 2U);
+  EXPECT_EQ(study.grids[0].name, "b");
+  EXPECT_EQ(study.grids[0].height_m, 1.0);
+  EXPECT_THAT(grid_refusal("nane = 'b'"), HasSubstr("--grid nane = 'b': unknown key 'nane'"));
+  EXPECT_THAT(grid_refusal("name = b"), HasSubstr("write keys of [[grids]], as in --grid"));
+  EXPECT_THAT(grid_refusal("name = 'b', spacing = -1"), testing::Not(HasSubstr("--set")));
+}
+
 TEST(StudyCheck, ModelsThatAreNotThereAreRefusedAtTheirKey) {
   const StudyFolder folder;
   const auto refused = [&](const std::string& text) { return refusal_of([&] { (void)folder.read(text); }); };

@@ -75,5 +75,29 @@ TEST(StudySun, TheWeatherTellsPlaceZoneAndIrradiance) {
   EXPECT_THAT(study.assumptions, Contains(HasSubstr("The building stands where the weather was measured: Oakland")));
 }
 
+TEST(StudySun, AListOfMomentsGivesTheSkyOfEach) {
+  const auto study = read(std::string(kMunich) +
+                          "[sky]\ntime = [2026-03-21T09:00:00, 2026-03-21T12:00:30, 2026-03-21T09:00:00, "
+                          "2026-03-21T23:00:00+01:00]\n" +
+                          kBeam);
+  ASSERT_EQ(study.moments.size(), 3U);
+  EXPECT_EQ(study.moments[0].moment, "2026-03-21T0900");
+  EXPECT_EQ(study.moments[1].moment, "2026-03-21T120030");
+  EXPECT_EQ(study.moments[2].moment, "2026-03-21T2300+0100");
+  EXPECT_EQ(study.sky.type, lighting::Sky::Type::kSum);
+  EXPECT_LT(study.moments[0].sun.towards.z, study.moments[1].sun.towards.z);
+  EXPECT_EQ(study.moments[2].type, lighting::Sky::Type::kNone);
+  EXPECT_THAT(study.assumptions, testing::Contains(HasSubstr("2026-03-21T09:00:00 is given twice")));
+  EXPECT_THAT(study.assumptions, testing::Contains(HasSubstr("the sky is dark, and lamps alone give light")));
+}
+
+TEST(StudySun, AListOfOneMomentIsThatMoment) {
+  const auto one = read(std::string(kMunich) + "[sky]\ntime = [2026-03-21T12:00:00]\n" + kBeam);
+  EXPECT_TRUE(one.moments.empty());
+  EXPECT_GT(one.sky.sun.towards.z, 0.6);
+  EXPECT_THAT(refusal(std::string(kMunich) + "[sky]\ntime = ['noon']\n"),
+              HasSubstr("a date and time, or a list of them"));
+}
+
 }  // namespace
 }  // namespace clerestory::io

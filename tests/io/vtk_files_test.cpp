@@ -66,7 +66,7 @@ class GermanNumbers : public std::numpunct<char> {
 };
 
 TEST_F(VtkFiles, GridIsReadBackAsQuadrilateralsWithItsValues) {
-  write_grid_vtp(folder_ / "workplane.vtp", results_, grid_, context_);
+  write_grid_vtp(folder_ / "workplane.vtp", results_, std::span(&grid_, 1), context_);
   const auto data = read(folder_ / "workplane.vtp");
   ASSERT_EQ(data->GetNumberOfPolys(), 24 * 32);
   EXPECT_EQ(data->GetNumberOfPoints(), 825);  // 25 by 33, shared by neighbours
@@ -87,7 +87,7 @@ TEST_F(VtkFiles, GridIsReadBackAsQuadrilateralsWithItsValues) {
 TEST_F(VtkFiles, GridWithoutCellsIsReadBackAsVertices) {
   grid_.sensors.cells.clear();
   grid_.daylight_factor_percent.clear();
-  write_grid_vtp(folder_ / "desk.vtp", results_, grid_, context_);
+  write_grid_vtp(folder_ / "desk.vtp", results_, std::span(&grid_, 1), context_);
   const auto data = read(folder_ / "desk.vtp");
   EXPECT_EQ(data->GetNumberOfVerts(), 24 * 32);
   EXPECT_EQ(data->GetNumberOfPolys(), 0);
@@ -122,7 +122,7 @@ TEST_F(VtkFiles, SurfacesWithoutElementsAreReadBackEmpty) {
 }
 
 TEST_F(VtkFiles, CollectionOpensAllFilesByName) {
-  write_grid_vtp(folder_ / "work & plane.vtp", results_, grid_, context_);
+  write_grid_vtp(folder_ / "work & plane.vtp", results_, std::span(&grid_, 1), context_);
   write_surfaces_vtp(folder_ / "surfaces.vtp", results_, context_);
   write_result_vtm(folder_ / "result.vtm", {{"surfaces", "surfaces.vtp"}, {"<work & plane>", "work & plane.vtp"}});
   vtkNew<vtkXMLMultiBlockDataReader> reader;
@@ -146,7 +146,7 @@ TEST_F(VtkFiles, BytesDoNotDependOnTheLocale) {
 
 TEST_F(VtkFiles, LargeGridIsCompressed) {
   const auto large = test::make_grid({.columns = 300, .rows = 300}, [](double, double) { return 2.0; });
-  write_grid_vtp(folder_ / "large.vtp", results_, large, context_);
+  write_grid_vtp(folder_ / "large.vtp", results_, std::span(&large, 1), context_);
   // 90,601 points of 24 bytes, 90,000 cells of 4 corners of 8 bytes and 28 bytes of values each.
   EXPECT_LT(std::filesystem::file_size(folder_ / "large.vtp"), 2'000'000U);
   EXPECT_EQ(read(folder_ / "large.vtp")->GetNumberOfPolys(), 90'000);

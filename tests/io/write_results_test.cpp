@@ -91,6 +91,29 @@ TEST(WriteResults, WritesWhatResultNamesPromisesAndListsIt) {
               testing::UnorderedElementsAreArray(promised));
 }
 
+TEST(WriteResults, SeveralMomentsShareATableAndHaveAMapEach) {
+  lighting::Results results = small_results();
+  results.grids.push_back(results.grids[0]);
+  results.grids[0].moment = "2026-03-21T0900";
+  results.grids[1].moment = "2026-03-21T1200";
+  lighting::SurfaceResult& surfaces = results.surfaces;
+  surfaces.moments.push_back({"2026-03-21T0900", surfaces.point_illuminance_lux, {1.0F}, {1.0F}, {1.0F}, {1.0F}});
+  for (auto* values : {&surfaces.point_illuminance_lux, &surfaces.illuminance_lux, &surfaces.error_lux,
+                       &surfaces.radiosity_lm_m2, &surfaces.luminance_cd_m2})
+    values->clear();
+  lighting::Study study = study_with_grids({"desk"});
+  for (const lighting::GridResult& grid : results.grids) study.moments.emplace_back().moment = grid.moment;
+  const test::ScratchFolder scratch;
+  NoProgress nobody;
+  const auto json = nlohmann::json::parse(write_results(scratch.path() / "out", results, {}, {}, nobody));
+  const std::vector<std::string> promised = result_names(study, "a.toml");
+  const auto written = json["files"].get<Names>();
+  EXPECT_EQ(written, Names(promised.begin(), promised.end()));
+  EXPECT_TRUE(written.contains("desk_2026-03-21T0900.png"));
+  EXPECT_EQ(json["grids"][1]["name"], "desk");
+  EXPECT_EQ(json["grids"][1]["moment"], "2026-03-21T1200");
+}
+
 TEST(WriteResults, AnInterruptionAtAnyStepLeavesNothing) {
   const test::ScratchFolder scratch;
   for (int calls = 1; calls <= 3; ++calls) {

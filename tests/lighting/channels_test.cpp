@@ -60,6 +60,30 @@ TEST(SourceGroups, LampsCannotBearTheNameOfDaylight) {
   EXPECT_THROW(groups.add_lamps("sky"), InputError);
 }
 
+TEST(SourceGroups, OfMomentsAreTheSkyAndTheSunOfEachBehindThePatchesOfAKeptSolution) {
+  for (const bool kept : {false, true}) {
+    SourceGroups groups({"a", "b"}, kept, 0.0);
+    const std::uint32_t first = kept ? 146 : 0;
+    EXPECT_TRUE(groups.parted());
+    EXPECT_FALSE(groups.has_columns());
+    EXPECT_EQ(groups.has_patches(), kept);
+    EXPECT_EQ(groups.of_sky_at(1), first + 1);
+    EXPECT_EQ(groups.of_sun_at(0), first + 2);
+    EXPECT_EQ(groups[groups.of_sun_at(1)].name, "sun_b");
+    EXPECT_EQ(groups.add_lamps("row"), first + 4);
+  }
+}
+
+TEST(SourceGroups, OfOneMomentTellLampsApartWhetherColumnsAreAskedForOrNot) {
+  for (const Columns columns : {Columns::kMix, Columns::kGroups}) {
+    SourceGroups groups = SourceGroups::of_moment(columns, true, true);
+    EXPECT_EQ(groups.of_sun(), 1U);
+    EXPECT_EQ(groups.add_lamps("row"), 2U);
+    EXPECT_EQ(groups.has_columns(), columns == Columns::kGroups);
+  }
+  EXPECT_EQ(SourceGroups::of_moment(Columns::kMix, false, false).add_lamps("row"), 0U);
+}
+
 TEST(GroupSums, TellWhatIsLitAndNothingWhereGroupsAreOne) {
   const SourceGroups groups(Columns::kSky145, false, true, false, 0.0);
   GroupSums sums(groups);

@@ -101,6 +101,39 @@ TEST(Resolve, ColumnsComeFromTheStoredLinksToo) {
   }
 }
 
+/// The room under a sun that falls in through the roof and leaves its patch on walls and floor.
+Study sunlit_study(const mesh::Vector& towards) {
+  Study study = kept_study();
+  study.sky.sun = {.towards = towards, .normal_illuminance_lux = 30'000.0};
+  return study;
+}
+
+TEST(Resolve, AnotherSunIsCastOnTheStoredLinks) {
+  const Results solved = fresh(sunlit_study({0.0, 0.6, 0.8}));
+  const Study later = sunlit_study({0.8, 0.0, 0.6});
+  const Results resolved = again(later, *solved.solution);
+  const Results expected = fresh(later);
+  EXPECT_GT(rays_of(resolved, "solving"), 0U);
+  EXPECT_LT(rays_of(resolved, "solving"), rays_of(expected, "direct light") + rays_of(expected, "linking"));
+  for (std::size_t i = 0; i < expected.grids[0].sensors.count(); ++i) {
+    const double error = std::hypot(resolved.grids[0].error_lux[i], expected.grids[0].error_lux[i]);
+    EXPECT_NEAR(resolved.grids[0].illuminance_lux[i], expected.grids[0].illuminance_lux[i], 2.5 * error) << i;
+  }
+}
+
+TEST(Resolve, WithoutTheSunNoRayIsCast) {
+  const Results solved = fresh(sunlit_study({0.0, 0.6, 0.8}));
+  Study cloudy = sunlit_study({0.0, 0.6, 0.8});
+  cloudy.sky.sun.normal_illuminance_lux = 0.0;
+  const Results resolved = again(cloudy, *solved.solution);
+  const Results expected = fresh(cloudy);
+  EXPECT_EQ(rays_of(resolved, "solving"), 0U);
+  for (std::size_t i = 0; i < expected.grids[0].sensors.count(); ++i) {
+    const double error = std::hypot(resolved.grids[0].error_lux[i], expected.grids[0].error_lux[i]);
+    EXPECT_NEAR(resolved.grids[0].illuminance_lux[i], expected.grids[0].illuminance_lux[i], 2.5 * error) << i;
+  }
+}
+
 TEST(Resolve, WhatWasNotToldApartIsRefused) {
   Study study = kept_study();
   const Results solved = fresh(study);

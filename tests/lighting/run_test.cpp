@@ -88,6 +88,93 @@ TEST(Run, OneAndTwoThreadsGiveTheSameBits) {
   expect_same(one, two);
 }
 
+/// The furnished room with its lamp in the morning, when the sun falls in, and at night.
+Study study_of_moments() {
+  Study study = test::furnished_room_study();
+  Sky morning{.ground_reflectance = 0.2};
+  morning.horizontal_illuminance_lux = 4'000.0;
+  morning.sun = {.towards = {0.0, 0.6, 0.8}, .normal_illuminance_lux = 8'000.0};
+  morning.moment = "morning";
+  Sky evening{.type = Sky::Type::kUniform, .horizontal_illuminance_lux = 1'000.0};
+  evening.moment = "evening";
+  Sky night{.type = Sky::Type::kNone};
+  night.moment = "night";
+  study.moments = {morning, evening, night};
+  study.sky = mean_sky(study.moments);
+  study.columns = Columns::kGroups;
+  return study;
+}
+
+TEST(Run, EachOfSeveralMomentsIsAsItIsByItself) {
+  const Study study = study_of_moments();
+  const Results all = answer(study);
+  ASSERT_EQ(all.grids.size(), 3U);
+  ASSERT_EQ(all.surfaces.moments.size(), 3U);
+  EXPECT_TRUE(all.surfaces.illuminance_lux.empty());
+  for (std::size_t m = 0; m < 3; ++m) {
+    Study single = study;
+    single.sky = study.moments[m];
+    single.moments.clear();
+    single.accuracy.seed = 7;
+    const GridResult expected = answer(single).grids.at(0);
+    const GridResult& grid = all.grids[m];
+    EXPECT_EQ(grid.moment, study.moments[m].moment);
+    EXPECT_LE(grid.metrics.accuracy_reached, study.accuracy.target);
+    for (std::size_t i = 0; i < grid.sensors.count(); ++i) {
+      const double error = std::hypot(grid.error_lux[i], expected.error_lux[i]);
+      EXPECT_NEAR(grid.illuminance_lux[i], expected.illuminance_lux[i], 2.5 * error) << m << " " << i;
+      double sum = 0.0;
+      for (const GroupColumn& group : grid.groups) sum += group.illuminance_lux[i];
+      EXPECT_NEAR(sum / grid.illuminance_lux[i], 1.0, 2e-3) << m << " " << i;
+    }
+    EXPECT_EQ(all.surfaces.moments[m].illuminance_lux.size(), all.surfaces.cells.size());
+    EXPECT_EQ(all.surfaces.moments[m].point_illuminance_lux.size(), all.surfaces.points.size());
+  }
+  EXPECT_EQ(all.grids[0].groups.size(), 3U);  // sky, sun, lamp
+  ASSERT_EQ(all.grids[2].groups.size(), 2U);  // a dark sky, lamp
+  EXPECT_EQ(all.grids[2].groups[0].illuminance_lux[0], 0.0F);
+}
+
+TEST(Run, SeveralMomentsGiveTheSameBitsByAnyNumberOfThreads) {
+  const Study study = study_of_moments();
+  set_threads(1);
+  const Results one = answer(study);
+  for (const int threads : {2, 7}) {
+    set_threads(threads);
+    const Results more = answer(study);
+    for (std::size_t m = 0; m < 3; ++m) {
+      EXPECT_EQ(one.grids[m].illuminance_lux, more.grids[m].illuminance_lux) << threads;
+      EXPECT_EQ(one.grids[m].error_lux, more.grids[m].error_lux) << threads;
+      EXPECT_EQ(one.surfaces.moments[m].illuminance_lux, more.surfaces.moments[m].illuminance_lux) << threads;
+    }
+  }
+  set_threads(0);
+}
+
+TEST(Run, AStoredSolutionOfSeveralMomentsGivesThemToTheBit) {
+  Study study = study_of_moments();
+  study.keep_solution = true;
+  const Results solved = answer(study);
+  ASSERT_TRUE(solved.solution);
+  NoProgress nobody;
+  const Results again = sense(study, *solved.solution, nobody);
+  ASSERT_EQ(again.grids.size(), 3U);
+  for (std::size_t m = 0; m < 3; ++m) {
+    EXPECT_EQ(solved.grids[m].illuminance_lux, again.grids[m].illuminance_lux);
+    EXPECT_EQ(solved.grids[m].error_lux, again.grids[m].error_lux);
+  }
+  study.dimming = {{"lamp", 0.5}};
+  const Results dimmed = sense(study, *solved.solution, nobody);
+  for (std::size_t i = 0; i < dimmed.grids[2].sensors.count(); ++i)
+    EXPECT_NEAR(dimmed.grids[2].illuminance_lux[i] / solved.grids[2].illuminance_lux[i], 0.5, 2e-3);
+}
+
+TEST(Run, PatchesOfTheSkyAreOfOneMoment) {
+  Study study = study_of_moments();
+  study.columns = Columns::kSky145;
+  EXPECT_THROW(answer(study), InputError);
+}
+
 TEST(Run, AnotherSeedGivesOtherValuesWithinTheError) {
   Study other = test::furnished_room_study();
   other.accuracy.seed = 99;

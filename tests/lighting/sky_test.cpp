@@ -72,5 +72,41 @@ TEST(Sky, NoSkyIsBlackAndLightsNoGround) {
   EXPECT_EQ(sky_luminance({.type = Sky::Type::kNone}, {0.0, 0.0, -1.0}), 0.0);
 }
 
+Sky with_sun(Sky sky, const mesh::Vector& towards, double lux) {
+  sky.sun = {.towards = towards, .normal_illuminance_lux = lux};
+  return sky;
+}
+
+TEST(Sky, InTheMeanOfMomentsEachGivesTheOpenGroundTheSame) {
+  const mesh::Vector low{0.0, 0.8, 0.6};
+  Sky bright = with_sun(sky_of(cie_general_sky(12, low), 20'000.0), low, 50'000.0);
+  bright.moment = "noon";
+  Sky dim{.horizontal_illuminance_lux = 5'000.0};
+  const Sky night{.type = Sky::Type::kNone};
+  const Sky mean = mean_sky({bright, dim, night});
+  ASSERT_EQ(mean.parts.size(), 3U);
+  EXPECT_EQ(mean.parts[0].moment, "noon");
+  EXPECT_NEAR(mean.parts[0].share + mean.parts[1].share, 1.0, 1e-12);
+  EXPECT_EQ(mean.parts[2].share, 0.0);
+  EXPECT_NEAR(mean.parts[0].ground_illuminance_lux(), mean.parts[1].ground_illuminance_lux(), 1e-9);
+  EXPECT_NEAR(mean.parts[0].ground_illuminance_lux(), mean.parts[0].share * 50'000.0, 1e-9);
+}
+
+TEST(Sky, TheLightOfASumIsThatOfItsParts) {
+  const mesh::Vector low{0.0, 0.8, 0.6};
+  const Sky bright = with_sun(sky_of(cie_general_sky(12, low), 20'000.0), low, 50'000.0);
+  const Sky dim{.horizontal_illuminance_lux = 5'000.0};
+  const Sky mean = mean_sky({bright, dim});
+  for (const mesh::Vector& direction : {low, mesh::Vector{0.6, 0.0, 0.8}, mesh::Vector{0.0, 0.6, -0.8}}) {
+    const double expected =
+        mean.parts[0].share * sky_luminance(bright, direction) + mean.parts[1].share * sky_luminance(dim, direction);
+    EXPECT_NEAR(sky_luminance(mean, direction), expected, 1e-9 * expected);
+    EXPECT_LE(sky_luminance(mean, direction), sky_luminance_bound(mean));
+  }
+  EXPECT_NEAR(mean.diffuse_illuminance_lux(), mean.parts[0].share * 20'000.0 + mean.parts[1].share * 5'000.0, 1e-9);
+  EXPECT_TRUE(mean.has_sun());
+  EXPECT_FALSE(mean_sky({dim, dim}).has_sun());
+}
+
 }  // namespace
 }  // namespace clerestory::lighting

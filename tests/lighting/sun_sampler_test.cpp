@@ -55,7 +55,7 @@ Study sunlit_room(double reflectance) {
 
 TEST(SunSampler, TellsWhatIsLitWhollyPartlyAndNot) {
   const test::Stage stage(sunlit_room(0.5));
-  const SunSampler sampler(stage.solution, 1);
+  const SunSampler sampler(stage.solution, stage.scene.sky.sun, 1);
   const SunSurvey floor = sampler.survey(stage.root("floor"), SunView::kUnknown);
   EXPECT_EQ(floor.view, SunView::kPartly);
   EXPECT_GT(floor.fit.residual, 0.1 * kNormalLux);
@@ -68,7 +68,7 @@ TEST(SunSampler, TellsWhatIsLitWhollyPartlyAndNot) {
 
 TEST(SunSampler, MeansKeepTheFluxThroughTheHole) {
   const test::Stage stage(sunlit_room(0.5));
-  const SunSampler sampler(stage.solution, 1);
+  const SunSampler sampler(stage.solution, stage.scene.sky.sun, 1);
   double flux = 0.0;
   double variance = 0.0;
   for (const mesh::ElementId root : stage.roots("floor")) {

@@ -134,7 +134,7 @@ TEST(Options, GridsOfSenseAreThoseOfTheStudy) {
       read({"sense", "a-results", "--grid", "name = 'b', height = 1", "--grid", "name = 'c'"}).options;
   EXPECT_EQ(options.study, "a-results");
   EXPECT_EQ(options.out, "a-results-sense");
-  EXPECT_THAT(options.set, ElementsAre("grids=[{name = 'b', height = 1}, {name = 'c'}]"));
+  EXPECT_THAT(options.grids, ElementsAre("name = 'b', height = 1", "name = 'c'"));
   EXPECT_EQ(read({"sense", "x/a-results/"}).options.out, "x/a-results-sense");
   EXPECT_EQ(read({"sense", "x/a-results/solution.h5"}).options.out, "x/a-results-sense");
   EXPECT_TRUE(read({"daylight", "a.obj", "--save-solution"}).options.save_solution);
@@ -152,6 +152,21 @@ TEST(Options, LimitsAreOfRunsAlone) {
   EXPECT_THAT(complaint({"daylight", "a.obj", "--max-time", "soon"}), HasSubstr("10min"));
   EXPECT_THAT(complaint({"daylight", "a.obj", "--max-memory", "4"}), HasSubstr("4GB"));
   EXPECT_THAT(complaint({"clean", "a.obj", "-o", "b.obj", "--max-time", "1s"}), HasSubstr("unknown option"));
+}
+
+TEST(Options, MomentsAreGivenOneByOneOrInAListWithCommas) {
+  const auto one = read({"illuminance", "--time", "2026-03-21T12:00", "a.toml"}).options;
+  EXPECT_EQ(one.study, "a.toml");
+  EXPECT_THAT(one.set, testing::ElementsAre("sky.time=2026-03-21T12:00:00"));
+  const std::string both = "sky.time=[2026-03-21T09:00:00, 2026-03-21T12:00:00]";
+  const char* const first = "2026-03-21T09:00";
+  const char* const second = "2026-03-21 12:00";
+  EXPECT_THAT(read({"illuminance", "a.toml", "--time", first, "--time", second}).options.set,
+              testing::ElementsAre(both));
+  EXPECT_THAT(read({"sense", "results", "--time", "2026-03-21T09:00,2026-03-21T12:00"}).options.set,
+              testing::ElementsAre(both));
+  EXPECT_THAT(complaint({"illuminance", "a.toml", "--time", "2026-03-21T09:00,noon"}),
+              HasSubstr("'noon' is no moment"));
 }
 
 }  // namespace

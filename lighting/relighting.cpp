@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/relighting.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lighting/cast_sun.h"
+#include "lighting/relaxation.h"
+#include "lighting/scene.h"
+#include "lighting/scene_hash.h"
+
+namespace clerestory::lighting {
+
+using mesh::ElementId;
+
+namespace {
+
+/// Light that nodes receive in all [lm].
+std::vector<double> flux_of(const Solution& solution) {
+  const mesh::ElementTree& tree = solution.tree();
+  std::vector<double> flux(tree.size(), 0.0);
+  for (const ElementId e : solution.elements()) {
+    double own = 0.0;
+    for (std::size_t c = 0; c < solution.channels(); ++c)
+      own += solution.scene().channel_weights[c] * tree.area(e) * solution.irradiance(e)[c].value;
+    for (ElementId up = e; up.valid(); up = tree.parent(up)) flux[up.index()] += own;
+  }
+  return flux;
+}
+
+void give(const std::vector<GroupDirect>& direct, Solution& solution) {
+  for (const GroupDirect& given : direct) {
+    for (LinearValue& sum : solution.direct(given.node)) {
+      sum.value += given.lux.value;
+      sum.slope_u += given.lux.slope_u;
+      sum.slope_v += given.lux.slope_v;
+    }
+  }
+}
+
+/// What opaque nodes are given by groups of luminaires [lm].
+double flux_by_luminaires(const std::vector<GroupDirect>& direct, const Solution& solution) {
+  const std::vector<std::uint32_t>& of = solution.scene().luminaire_group;
+  double flux_lm = 0.0;
+  for (const GroupDirect& given : direct) {
+    const bool pane = solution.scene().is_pane(solution.tree().face_side(given.node));
+    if (!pane && std::find(of.begin(), of.end(), given.group) != of.end())
+      flux_lm += solution.tree().area(given.node) * given.lux.value;
+  }
+  return flux_lm;
+}
+
+}  // namespace
+
+Relighting::Relighting(Solution& solution, Transport transport, KnownLight known, double accuracy)
+    : solution_(solution),
+      transport_(std::move(transport)),
+      known_(std::move(known)),
+      accuracy_(accuracy),
+      flux_lm_(flux_of(solution)),
+      given_errors_(transport_.given_errors),
+      seed_(transport_.errors.seed()) {}
+
+void Relighting::cast(const Sun& sun, const std::string& name) {
+  auto own = std::find_if(known_.groups.begin(), known_.groups.end(),
+                          [&](const SourceGroup& g) { return g.kind == SourceGroup::Kind::kSun && g.name == name; });
+  if (own == known_.groups.end()) own = known_.groups.insert(own, {name, SourceGroup::Kind::kSun});
+  own->strength = sun.normal_illuminance_lux;
+  own->source = source_of(sun);
+  const auto group = static_cast<std::uint32_t>(own - known_.groups.begin());
+  std::erase_if(known_.direct, [&](const GroupDirect& given) { return given.group == group; });
+  std::erase_if(known_.errors, [&](const GroupError& given) { return given.group == group; });
+  const CastSun found = cast_sun(solution_, sun, group, accuracy_, seed_);
+  known_.direct.insert(known_.direct.end(), found.direct.begin(), found.direct.end());
+  known_.errors.insert(known_.errors.end(), found.errors.begin(), found.errors.end());
+}
+
+void Relighting::add_errors(const std::vector<GroupError>& own) {
+  const std::vector<double> flux = flux_of(solution_);
+  std::vector<Solution::Errors>& errors = transport_.given_errors;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double ratio = flux_lm_[i] > 0.0 ? flux[i] / flux_lm_[i] : 1.0;
+    const auto squared = static_cast<float>(ratio * ratio);
+    errors[i] = {squared * given_errors_[i].noise2, squared * given_errors_[i].misfit2};
+  }
+  for (const GroupError& given : own) {
+    errors[given.node.index()].noise2 += given.errors.noise2;
+    errors[given.node.index()].misfit2 += given.errors.misfit2;
+  }
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    solution_.add_error(ElementId(i), errors[i].noise2, errors[i].misfit2);
+}
+
+const Transport& Relighting::light(const Progress& progress) {
+  const Scene& scene = solution_.scene();
+  FittedLight fitted = fit(known_, scene);
+  if (fitted.lacks_sun) {
+    cast(scene.sky.sun, "sun");
+    fitted = fit(known_, scene);
+  }
+  solution_.darken();
+  give(fitted.direct, solution_);
+  solution_.push_pull();
+  const Relaxed relaxed = relax(solution_, transport_.clusters, transport_.arrivals, progress, Change::kOfElements);
+  transport_.iterations = relaxed.iterations;
+  transport_.convergence = relaxed.missing;
+  add_errors(fitted.errors);
+  add_link_errors(solution_, transport_.clusters, transport_.arrivals);
+  transport_.errors = SolutionErrors(solution_, transport_.arrivals, transport_.clusters, relaxed.missing, seed_);
+  transport_.by_luminaires_lm = flux_by_luminaires(fitted.direct, solution_);
+  transport_.groups = std::move(fitted.direct);
+  return transport_;
+}
+
+}  // namespace clerestory::lighting
