@@ -150,7 +150,7 @@ TEST_F(StudyFixtures, WithoutAnEntryStayDarkAndAreTold) {
 }
 
 TEST_F(StudyFixtures, OfATypeThatTheModelLacksAreRefused) {
-  const auto told = test::refusal_of([&] { read_house("[fixtures.'Spot*']\nphotometry = 'lamp.ies'\n"); });
+  const auto told = test::refusal_of([&] { (void)read_house("[fixtures.'Spot*']\nphotometry = 'lamp.ies'\n"); });
   EXPECT_THAT(told, HasSubstr("no light fixture of the type 'Spot*'"));
   EXPECT_THAT(told, HasSubstr("Panel 600"));
 }

@@ -188,7 +188,7 @@ TEST_P(SunPatch, HasItsOutlineToAMillimetre) {
   ASSERT_GT(edges.size(), 50U);
   const auto by_program = [&](const Point& p) {
     const Point at = p - scene.faces.origin + Vector{0, 0, scene.rays->offset_m()};
-    return lighting::sun_illuminance(scene, at, {0, 0, 1}) > 0.3 * kNormalLux * sun.z;
+    return lighting::sun_illuminance(scene, at, Vector{0, 0, 1}) > 0.3 * kNormalLux * sun.z;
   };
   std::size_t compared = 0;
   for (const Edge& edge : edges) {
