@@ -2,37 +2,29 @@
 #include "lighting/run.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <ctime>
-#include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "lighting/all_sensors.h"
 #include "lighting/channel_solver.h"
-#include "lighting/dark_share.h"
 #include "lighting/direct_light.h"
 #include "lighting/discontinuities.h"
 #include "lighting/energy.h"
 #include "lighting/gather.h"
-#include "lighting/grids.h"
 #include "lighting/group_gather.h"
 #include "lighting/importance.h"
 #include "lighting/installed.h"
 #include "lighting/limited_progress.h"
-#include "lighting/lit_mesh.h"
-#include "lighting/local_pass.h"
 #include "lighting/observers.h"
 #include "lighting/parallel.h"
+#include "lighting/phase_clock.h"
 #include "lighting/radiosity.h"
 #include "lighting/relighting.h"
 #include "lighting/resolve.h"
 #include "lighting/scene.h"
-#include "lighting/shown_mesh.h"
+#include "lighting/shower.h"
 #include "lighting/surface_values.h"
 #include "lighting/task_results.h"
 #include "mesh/element_tree.h"
@@ -62,116 +54,6 @@ constexpr std::size_t kMostJumps = 2000;
 constexpr double kShareOfJumps = 0.3;
 constexpr double kShareOfStartMesh = 0.8;
 constexpr double kShareOfShownMesh = 0.5;
-constexpr double kShareOfLitMesh = 0.9;
-
-/// Notes the time of each phase, and its rays.
-class Clock {
- public:
-  explicit Clock(std::vector<PhaseTime>& phases) : phases_(phases) {}
-
-  void begin(std::string name, Progress& progress) {
-    end();
-    progress.phase(name);
-    const mesh::Rays::Use use = used();
-    phases_.push_back({std::move(name), cpu_s(), wall_s(), use.rays, use.seconds});
-    running_ = true;
-  }
-  /// Whose rays are noted from here on, those of the running phase too.
-  void watch(const mesh::Rays& rays) { rays_ = &rays; }
-  void end() {
-    if (!running_) return;
-    phases_.back().cpu_s = cpu_s() - phases_.back().cpu_s;
-    phases_.back().wall_s = wall_s() - phases_.back().wall_s;
-    phases_.back().rays = used().rays - phases_.back().rays;
-    phases_.back().ray_s = used().seconds - phases_.back().ray_s;
-    running_ = false;
-  }
-
- private:
-  static double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-  static double wall_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
-
-  [[nodiscard]] mesh::Rays::Use used() const { return rays_ != nullptr ? rays_->use() : mesh::Rays::Use{}; }
-
-  std::vector<PhaseTime>& phases_;
-  const mesh::Rays* rays_ = nullptr;
-  bool running_ = false;
-};
-
-struct AllSensors {
-  std::vector<mesh::Point> positions;
-  std::vector<mesh::Vector> normals;
-  std::vector<std::uint32_t> grids;  ///< number of each sensor's grid
-  std::vector<PlacedTask> tasks;
-  std::vector<Observer> observers;  ///< model coordinates
-
-  void add(const Sensors& sensors, std::uint32_t grid) {
-    positions.insert(positions.end(), sensors.positions.begin(), sensors.positions.end());
-    normals.insert(normals.end(), sensors.normals.begin(), sensors.normals.end());
-    grids.resize(positions.size(), grid);
-  }
-  /// Each cylinder as one plane along it, neighbours by the golden angle apart: all together look all round.
-  void add_cylinders(const Sensors& sensors, std::uint32_t grid) {
-    constexpr double kGoldenAngle = 2.399963229728653;
-    for (std::size_t i = 0; i < sensors.count(); ++i) {
-      const double phi = kGoldenAngle * static_cast<double>(i);
-      positions.push_back(sensors.positions[i]);
-      normals.push_back({std::cos(phi), std::sin(phi), 0.0});
-    }
-    grids.resize(positions.size(), grid);
-  }
-  /// Makes a grid one of the results.
-  /// @param modelling  whether cylinders stand in its places too
-  void take(GridResult grid, bool modelling, Results& results) {
-    const auto number = static_cast<std::uint32_t>(results.grids.size());
-    if (!grid.sensors.cylinders) add(grid.sensors, number);
-    if (grid.sensors.cylinders || modelling) add_cylinders(grid.sensors, number);
-    if (modelling) grid.cylindrical_lux.resize(grid.sensors.count());
-    results.grids.push_back(std::move(grid));
-  }
-};
-
-/// The grids of the study's tasks, and all observers.
-void take_tasks(const Study& study, const Scene& scene, AllSensors& all, Results& results) {
-  std::set<std::string> taken;
-  for (const GridResult& grid : results.grids) taken.insert(lower(grid.name));
-  all.tasks = place_tasks(study, scene, std::move(taken));
-  for (const PlacedTask& task : all.tasks) {
-    for (std::size_t a = 0; a < kTaskAreas; ++a) {
-      if (!task.areas[a]) continue;
-      GridResult grid;
-      grid.name = task.areas[a]->name;
-      grid.sensors = task.areas[a]->sensors;
-      all.take(std::move(grid), static_cast<TaskArea>(a) == TaskArea::kActivity, results);
-    }
-  }
-  all.observers = all_observers(study, all.tasks);
-  for (const Observer& observer : all.observers) {
-    all.positions.push_back(observer.eye - scene.faces.origin);
-    all.normals.push_back(observer.look);
-  }
-  all.grids.resize(all.positions.size(), static_cast<std::uint32_t>(results.grids.size()));
-}
-
-AllSensors place_all(const Study& study, Scene& scene, Results& results, Progress& progress) {
-  AllSensors all;
-  double placed_requests = 0.0;
-  const SensorPlaces places{scene.faces, *scene.rays, scene.reachable_triangles, scene.rooms};
-  for (const GridRequest& request : study.grids) {
-    for (NamedSensors& placed : place_sensors(request, places, scene.notices)) {
-      GridResult grid;
-      grid.name = std::move(placed.name);
-      grid.sensors = std::move(placed.sensors);
-      grid.direction = request.direction;
-      all.take(std::move(grid), request.modelling, results);
-    }
-    progress.advance(++placed_requests / static_cast<double>(study.grids.size()));
-  }
-  take_tasks(study, scene, all, results);
-  return all;
-}
 
 void to_model(Sensors& sensors, const mesh::Vector& origin) {
   for (mesh::Point& p : sensors.positions) p = p + origin;
@@ -235,78 +117,6 @@ void evaluate_tasks(const Study& study, const Solution& solution, const Solution
     results.observers = observe(solution, errors, sensors.observers, study.accuracy.target, mesh::mix(seed), end);
   }
   results.tasks = judge_tasks(study, solution.scene(), sensors.tasks, results);
-}
-
-/// Where the sky goes out of sight in the planes of a grid's sensors.
-void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult& grid) {
-  std::set<std::array<long, 4>> planes;  // normal and offset, in thousandths
-  const auto thousandths = [](double x) { return std::lround(1000.0 * x); };
-  for (std::size_t i = 0; i < grid.sensors.cells.size(); ++i) {
-    const mesh::Point at = grid.sensors.positions[i] - origin;
-    const auto& cell = grid.sensors.cells[i];
-    const mesh::Vector n = normalized(cross(cell[1] - cell[0], cell[3] - cell[0]));
-    const double offset = dot(at - mesh::Point{}, n);
-    if (!planes.insert({thousandths(n.x), thousandths(n.y), thousandths(n.z), thousandths(offset)}).second) continue;
-    for (const mesh::NoSkySurface& surface : found.no_sky) {
-      const auto cut = mesh::cut_by_plane(surface, at, n);
-      if (cut) grid.no_sky.push_back({(*cut)[0] + origin, (*cut)[1] + origin});
-    }
-  }
-}
-
-/// The light of a solution on the surfaces, as they are shown.
-class Shower {
- public:
-  /// Finds the mesh with the lines of discontinuity where these are asked for and limits allow.
-  /// @param solution  whose light the mesh follows
-  Shower(const Study& study, const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
-         double scale_lux, Progress& progress)
-      : nodes_(nodes), accuracy_(study.accuracy.target), dark_lux_(kDarkShare * scale_lux) {
-    if (!study.mesh.discontinuities) return;
-    try {
-      const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
-      progress.advance(0.0);
-      shown_ = shown_mesh(solution, errors, local, {accuracy_, dark_lux_, study.mesh.max_elements}, progress);
-      progress.advance(1.0);
-    } catch (const LimitedProgress::ShowingIsOver&) {
-      is_over_ = true;
-    }
-  }
-
-  [[nodiscard]] const std::optional<ShownMesh>& mesh() const { return shown_; }
-  /// Whether the mesh, or light on it, could not be had in the time.
-  [[nodiscard]] bool is_over() const { return is_over_; }
-  /// From here on elements are shown.
-  void give_up() {
-    is_over_ = true;
-    shown_.reset();
-  }
-
-  SurfaceResult light(const Solution& solution, const SolutionErrors& errors, Progress& progress) {
-    if (!shown_) return surface_values(solution, errors);
-    const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
-    PhasePart lighting(progress, 0.0, kShareOfLitMesh);
-    const LitMesh lit = light_mesh(solution, errors, *shown_, local, lighting);
-    PhasePart curved(progress, kShareOfLitMesh, 1.0);
-    return surface_values(solution, errors, *shown_, lit, local, curved);
-  }
-
- private:
-  std::span<const NodeDirect> nodes_;
-  double accuracy_;
-  double dark_lux_;
-  std::optional<ShownMesh> shown_;
-  bool is_over_ = false;
-};
-
-/// What is known of the lines, where they were found.
-void tell_of_lines(const Shower& shower, const Scene& scene, Results& results) {
-  if (shower.is_over())
-    results.notices.emplace_back("the run was stopped before the shadow lines of the surfaces were found");
-  if (!shower.mesh()) return;
-  const ShownMesh& shown = *shower.mesh();
-  results.shadow_lines = {element_lines(scene, shown.found), shown.found.selection, shown.report};
-  for (GridResult& grid : results.grids) find_no_sky(shown.found, scene.faces.origin, grid);
 }
 
 /// The surfaces, with the lines of discontinuity in their mesh where these are asked for and limits allow.
@@ -506,7 +316,7 @@ struct Solved {
 };
 
 /// From the solution to the results.
-void answer(const Study& study, const Solved& solved, Clock& clock, LimitedProgress& progress, Results& results) {
+void answer(const Study& study, const Solved& solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
   const auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
   std::optional<GroupRadiosity> groups;
@@ -538,7 +348,7 @@ void leave_tasks(const AllSensors& sensors, Results& results) {
 }
 
 /// The same for several moments: the solution is of their mean, and lit anew for each. Its energy balance is that of the mean.
-void answer_moments(const Study& study, Solved solved, Clock& clock, LimitedProgress& progress, Results& results) {
+void answer_moments(const Study& study, Solved solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
   auto& [scene, mean, sensors, transport, nodes, scale_lux, seed] = solved;
   clock.begin("balancing", progress);
@@ -574,7 +384,7 @@ void answer_moments(const Study& study, Solved solved, Clock& clock, LimitedProg
 }
 
 /// From a stored solution to the results, where all shines and reflects as it did.
-void sense_as_stored(const Study& study, const StoredSolution& stored, Solved solved, Clock& clock,
+void sense_as_stored(const Study& study, const StoredSolution& stored, Solved solved, PhaseClock& clock,
                      LimitedProgress& progress, Results& results) {
   const SolutionErrors errors = restore(stored, solved.solution);
   clock.begin("gathering", progress);
@@ -584,7 +394,7 @@ void sense_as_stored(const Study& study, const StoredSolution& stored, Solved so
 }
 
 /// The same by solving on the stored links.
-void sense_anew(const Study& study, const StoredSolution& stored, Solved solved, Clock& clock,
+void sense_anew(const Study& study, const StoredSolution& stored, Solved solved, PhaseClock& clock,
                 LimitedProgress& progress, Results& results) {
   auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
   clock.begin("solving", progress);
@@ -623,14 +433,14 @@ void set_threads(int threads) {
 Results run(const Study& study, Progress& watched, const Limits& limits) {
   using Stage = LimitedProgress::Stage;
   Results results;
-  Clock clock(results.phases);
+  PhaseClock clock(results.phases);
   LimitedProgress progress(watched, limits);
   clock.begin("cleaning the model", progress);
   Scene scene = build_scene(study, &progress);
   clock.watch(*scene.rays);
 
   clock.begin("placing sensors", progress);
-  const AllSensors sensors = place_all(study, scene, results, progress);
+  const AllSensors sensors = place_all_sensors(study, scene, results, progress);
 
   progress.leave_time(kWritingOfGrid_s * static_cast<double>(results.grids.size()));
   clock.begin("meshing", progress);
@@ -676,14 +486,14 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   Study study = asked;
   study.keep_solution = true;  // its light is told apart as it was stored
   Results results;
-  Clock clock(results.phases);
+  PhaseClock clock(results.phases);
   LimitedProgress progress(watched, limits);
   clock.begin("cleaning the model", progress);
   Scene scene = build_scene(study, &progress);
   clock.watch(*scene.rays);
 
   clock.begin("placing sensors", progress);
-  const AllSensors sensors = place_all(study, scene, results, progress);
+  const AllSensors sensors = place_all_sensors(study, scene, results, progress);
 
   clock.begin("meshing", progress);
   Solution solution = unsolved(scene, lines_of(stored, scene), progress);
