@@ -40,7 +40,7 @@ namespace {
 /// Measured on the validation scenes.
 constexpr double kDirectShare = 0.002;
 /// What the table, the map and the picture of a grid take to be written, measured [CPU s].
-constexpr double kWritingOfGrid_s = 0.25;
+constexpr double kWritingOfGridS = 0.25;
 /// Longest edge of the elements that the solver starts from [m]; it splits them on.
 constexpr double kStartSizeM = 1e9;
 
@@ -442,7 +442,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("placing sensors", progress);
   const AllSensors sensors = place_all_sensors(study, scene, results, progress);
 
-  progress.leave_time(kWritingOfGrid_s * static_cast<double>(results.grids.size()));
+  progress.leave_time(kWritingOfGridS * static_cast<double>(results.grids.size()));
   clock.begin("meshing", progress);
   const std::vector<mesh::FaceLine> lines = start_lines(scene, progress);
   Solution solution = unsolved(scene, lines, progress);
