@@ -20,7 +20,7 @@ bool is(const std::exception& error) {
 Failure with_words(const std::exception& error) {
   if (is<CommandLineError>(error)) return {kCommandLineAtFault, error.what()};
   if (const auto* input = dynamic_cast<const InputError*>(&error)) {
-    const bool in_command = input->file().starts_with("--set");  // where the reader puts what an override gets wrong
+    const bool in_command = input->file().starts_with("--");  // the option whose value the reader of studies refuses
     return {in_command ? kCommandLineAtFault : kInputAtFault, error.what()};
   }
   if (is<LimitReached>(error)) return {kAccuracyNotReached, error.what()};

@@ -17,6 +17,7 @@ TEST(Failure, HasTheDocumentedExitStatus) {
   EXPECT_EQ(describe(InputError("a.obj", 3, "wrong")).status, 1);
   EXPECT_EQ(describe(CommandLineError("wrong")).status, 2);
   EXPECT_EQ(describe(InputError("--set a=1", 0, "unknown key")).status, 2);
+  EXPECT_EQ(describe(InputError("--grid nam = 1", 0, "unknown key")).status, 2);
   EXPECT_EQ(describe(MachineError("full")).status, 3);
   EXPECT_EQ(describe(std::bad_alloc()).status, 3);
   EXPECT_EQ(describe(std::filesystem::filesystem_error("gone", std::error_code())).status, 3);
