@@ -287,9 +287,7 @@ double DirectSampler::most_light(ElementId e, std::uint32_t k) const {
 bool DirectSampler::in_view(ElementId e, std::uint32_t k) const {
   const mesh::ElementTree& tree = solution_.tree();
   if (tree.face_side(e).face == scene().openings[k].face) return false;
-  mesh::ShaftEnd own;
-  own.count = tree.hull(e, own.corners);
-  own.normal = tree.normal(e);
+  const mesh::ShaftEnd own = mesh::shaft_end(tree, e);
   const auto in_front = [](const mesh::ShaftEnd& of, const mesh::ShaftEnd& other) {
     for (std::size_t i = 0; i < other.count; ++i) {
       if (dot(other.corners[i] - of.corners[0], of.normal) > 1e-9) return true;
@@ -301,10 +299,7 @@ bool DirectSampler::in_view(ElementId e, std::uint32_t k) const {
 
 bool DirectSampler::may_see(ElementId e, std::uint32_t k) const {
   if (!in_view(e, k)) return false;
-  mesh::ShaftEnd own;
-  own.count = solution_.tree().hull(e, own.corners);
-  own.normal = solution_.tree().normal(e);
-  return scene().shafts->classify(own, ends_[k]) != mesh::Visibility::kHidden;
+  return scene().shafts->classify(mesh::shaft_end(solution_.tree(), e), ends_[k]) != mesh::Visibility::kHidden;
 }
 
 void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,

@@ -18,11 +18,7 @@ std::vector<Emitter> emitters(const Solution& solution) {
   const Scene& scene = solution.scene();
   for (const ElementId root : solution.tree().roots()) {
     const double exitance = luminance(scene.side_exitance(solution.tree().face_side(root)), scene.channel_weights);
-    if (exitance <= 0.0) continue;
-    Emitter emitter{root, exitance, {}};
-    emitter.end.count = solution.tree().hull(root, emitter.end.corners);
-    emitter.end.normal = solution.tree().normal(root);
-    found.push_back(emitter);
+    if (exitance > 0.0) found.push_back({root, exitance, mesh::shaft_end(solution.tree(), root)});
   }
   return found;
 }

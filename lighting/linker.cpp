@@ -54,13 +54,6 @@ Lie lie_of(const mesh::ShaftEnd& hull, const Point& origin, const Vector& normal
   return lie;
 }
 
-mesh::ShaftEnd end_of(const mesh::ElementTree& tree, ElementId e) {
-  mesh::ShaftEnd end;
-  end.count = tree.hull(e, end.corners);
-  end.normal = tree.normal(e);
-  return end;
-}
-
 /// Places on a piece with weights that add up to 1: the same in all links, so that what several sources add up to is consistent.
 struct Places {
   std::array<Point, kPlaces> at;
@@ -385,7 +378,7 @@ std::optional<Link> Linker::link(const LinkCandidate& candidate) const {
 
 Visibility Linker::prove(ElementId receiver, ElementId source) const {
   const mesh::ElementTree& tree = solution_.tree();
-  return solution_.scene().shafts->classify(end_of(tree, receiver), end_of(tree, source));
+  return solution_.scene().shafts->classify(mesh::shaft_end(tree, receiver), mesh::shaft_end(tree, source));
 }
 
 LinkDecision::Kind Linker::split_at_open_ends(const Link& link, double most) const {
@@ -469,8 +462,8 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   const mesh::ElementTree& tree = solution_.tree();
   const ElementId r = candidate.receiver;
   const ElementId s = candidate.source.element();
-  const mesh::ShaftEnd end_r = end_of(tree, r);
-  const mesh::ShaftEnd end_s = end_of(tree, s);
+  const mesh::ShaftEnd end_r = mesh::shaft_end(tree, r);
+  const mesh::ShaftEnd end_s = mesh::shaft_end(tree, s);
   const Lie source_lies = lie_of(end_s, tree.centroid(r), end_r.normal);
   const Lie receiver_lies = lie_of(end_r, tree.centroid(s), end_s.normal);
   if (!source_lies.any_in_front || !receiver_lies.any_in_front) return std::nullopt;

@@ -2,10 +2,9 @@
 #include "lighting/luminaire_sampler.h"
 
 #include <algorithm>
-#include <array>
 
 #include "lighting/luminaire_light.h"
-#include "lighting/sampling.h"
+#include "lighting/sampled_mean.h"
 #include "mesh/hash.h"
 
 namespace clerestory::lighting {
@@ -17,16 +16,8 @@ namespace {
 
 constexpr std::uint32_t kPlaces = 8;           ///< on a node, to see how light changes over it
 constexpr std::uint32_t kPlacesInShadow = 32;  ///< where something may stand before a luminaire
-constexpr std::size_t kBatches = 8;
-constexpr std::uint32_t kFirstPlaces = 4;  ///< a batch
+constexpr std::uint32_t kFirstPlaces = 4;      ///< of each set
 constexpr std::uint32_t kMostPlaces = 512;
-
-mesh::ShaftEnd piece_of(const mesh::ElementTree& tree, ElementId e) {
-  mesh::ShaftEnd piece;
-  piece.count = tree.hull(e, piece.corners);
-  piece.normal = tree.normal(e);
-  return piece;
-}
 
 bool all_clear(std::span<const LuminaireView> views) {
   return std::all_of(views.begin(), views.end(), [](const LuminaireView& view) { return view.clear(); });
@@ -46,7 +37,7 @@ LuminaireSurvey LuminaireSampler::survey(ElementId e, std::span<const LuminaireV
   LuminaireSurvey result;
   const mesh::ElementTree& tree = solution_.tree();
   if (solution_.scene().luminaires.empty()) return result;
-  result.views = narrowed(solution_.scene(), piece_of(tree, e), known);
+  result.views = narrowed(solution_.scene(), mesh::shaft_end(tree, e), known);
   const std::uint32_t places = all_clear(result.views) ? kPlaces : kPlacesInShadow;
   const SobolPoints numbers(mesh::hash(mesh::hash(seed_, tree.key(e)), 0x1A1));
   std::vector<PlaneSample> samples;
@@ -68,22 +59,14 @@ ReplicateMean LuminaireSampler::mean(ElementId e, std::span<const LuminaireView>
   const double allowed = std::min(tolerance_lux, flux_tolerance_lm_ / tree.area(e));
   const std::uint64_t key = mesh::hash(mesh::hash(seed_, tree.key(e)), 0x1A2);
   GroupSums sums_of_groups(solution_.scene().groups);
-  std::array<double, kBatches> sums{};
-  std::uint32_t begin = 0;
-  for (std::uint32_t places = kFirstPlaces;; places *= 2) {
-    for (std::size_t b = 0; b < kBatches; ++b) {
-      const SobolPoints numbers(mesh::hash(key, b));
-      for (std::uint32_t i = begin; i < places; ++i)
-        sums[b] += lux(e, views, tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)), sums_of_groups);
-    }
-    begin = places;
-    std::array<double, kBatches> means{};
-    for (std::size_t b = 0; b < kBatches; ++b) means[b] = sums[b] / places;
-    const ReplicateMean result = mean_of_replicates(means);
-    if (result.standard_error() > allowed && places < kMostPlaces) continue;
-    for (const GroupLight& light : sums_of_groups.lit()) groups.add(light.group, light.lux / (places * kBatches));
-    return result;
-  }
+  const SampledMean mean = sampled_mean(
+      key, kFirstPlaces, kMostPlaces,
+      [&](const SobolPoints& numbers, std::uint32_t i) {
+        return lux(e, views, tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)), sums_of_groups);
+      },
+      [&](const ReplicateMean& found, std::uint32_t) { return found.standard_error() <= allowed; });
+  for (const GroupLight& light : sums_of_groups.lit()) groups.add(light.group, light.lux / mean.samples);
+  return mean;
 }
 
 }  // namespace clerestory::lighting

@@ -315,6 +315,16 @@ struct Solved {
   std::uint64_t seed = 0;
 };
 
+/// The phase of light at sensors, for one moment.
+void gather_all(const Study& study, const Solved& solved, const SolutionErrors& errors,
+                const std::optional<GroupRadiosity>& groups, PhaseClock& clock, LimitedProgress& progress,
+                Results& results) {
+  clock.begin("gathering", progress);
+  progress.enter(LimitedProgress::Stage::kGathering);
+  evaluate_all(study, solved.solution, errors, groups, results.grids, solved.seed, progress);
+  evaluate_tasks(study, solved.solution, errors, solved.sensors, solved.seed, results, progress);
+}
+
 /// From the solution to the results.
 void answer(const Study& study, const Solved& solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
@@ -324,10 +334,7 @@ void answer(const Study& study, const Solved& solved, PhaseClock& clock, Limited
     clock.begin("channels", progress);
     groups = solve_groups(solution, transport);
   }
-  clock.begin("gathering", progress);
-  progress.enter(Stage::kGathering);
-  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
-  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
+  gather_all(study, solved, transport.errors, groups, clock, progress, results);
 
   clock.begin("balancing", progress);
   progress.enter(Stage::kShowing);
@@ -387,10 +394,7 @@ void answer_moments(const Study& study, Solved solved, PhaseClock& clock, Limite
 void sense_as_stored(const Study& study, const StoredSolution& stored, Solved solved, PhaseClock& clock,
                      LimitedProgress& progress, Results& results) {
   const SolutionErrors errors = restore(stored, solved.solution);
-  clock.begin("gathering", progress);
-  progress.enter(LimitedProgress::Stage::kGathering);
-  evaluate_all(study, solved.solution, errors, std::nullopt, results.grids, solved.seed, progress);
-  evaluate_tasks(study, solved.solution, errors, solved.sensors, solved.seed, results, progress);
+  gather_all(study, solved, errors, std::nullopt, clock, progress, results);
 }
 
 /// The same by solving on the stored links.
@@ -412,10 +416,7 @@ void sense_anew(const Study& study, const StoredSolution& stored, Solved solved,
   results.counts.iterations = transport.iterations;
   clock.begin("balancing", progress);
   results.energy = energy_balance(solution, transport, seed);
-  clock.begin("gathering", progress);
-  progress.enter(LimitedProgress::Stage::kGathering);
-  evaluate_all(study, solution, transport.errors, groups, results.grids, seed, progress);
-  evaluate_tasks(study, solution, transport.errors, sensors, seed, results, progress);
+  gather_all(study, solved, transport.errors, groups, clock, progress, results);
 }
 
 ThreadLimit& thread_limit() {

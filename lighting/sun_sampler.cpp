@@ -2,11 +2,10 @@
 #include "lighting/sun_sampler.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
-#include "lighting/sampling.h"
+#include "lighting/sampled_mean.h"
 #include "lighting/sun_light.h"
 #include "mesh/hash.h"
 
@@ -23,8 +22,7 @@ constexpr std::uint32_t kMostPlaces = 16384;
 constexpr std::uint32_t kPlacesOfWhole = 8;
 /// Light that differs by more from place to place has an edge.
 constexpr double kEven = 0.8;
-constexpr std::size_t kBatches = 8;
-constexpr std::uint32_t kFirstRays = 8;  ///< a batch
+constexpr std::uint32_t kFirstRays = 8;  ///< of each set
 constexpr std::uint32_t kMostRays = 512;
 
 }  // namespace
@@ -66,22 +64,15 @@ ReplicateMean SunSampler::mean(ElementId e, SunView view, double tolerance_lux) 
   if (view == SunView::kNone || view == SunView::kUnknown) return {};
   const mesh::ElementTree& tree = solution_.tree();
   const std::uint64_t key = mesh::hash(mesh::hash(seed_, tree.key(e)), 0x5A2);
-  std::array<double, kBatches> sums{};
-  std::uint32_t begin = 0;
-  for (std::uint32_t rays = kFirstRays;; rays *= 2) {
-    for (std::size_t b = 0; b < kBatches; ++b) {
-      const SobolPoints numbers(mesh::hash(key, b));
-      for (std::uint32_t i = begin; i < rays; ++i) {
-        sums[b] += lux(e, tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)), numbers.at(i, 2), numbers.at(i, 3));
-      }
-    }
-    begin = rays;
-    std::array<double, kBatches> means{};
-    for (std::size_t b = 0; b < kBatches; ++b) means[b] = sums[b] / rays;
-    const ReplicateMean result = mean_of_replicates(means);
-    const bool enough = view == SunView::kWhole || rays >= 4 * kFirstRays;
-    if ((enough && result.standard_error() <= tolerance_lux) || rays >= kMostRays) return result;
-  }
+  return sampled_mean(
+      key, kFirstRays, kMostRays,
+      [&](const SobolPoints& numbers, std::uint32_t i) {
+        return lux(e, tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)), numbers.at(i, 2), numbers.at(i, 3));
+      },
+      [&](const ReplicateMean& mean, std::uint32_t rays) {
+        const bool enough = view == SunView::kWhole || rays >= 4 * kFirstRays;
+        return enough && mean.standard_error() <= tolerance_lux;
+      });
 }
 
 }  // namespace clerestory::lighting

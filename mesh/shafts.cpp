@@ -136,6 +136,13 @@ struct Shafts::Shaft {
   }
 };
 
+ShaftEnd shaft_end(const ElementTree& tree, ElementId e) {
+  ShaftEnd end;
+  end.count = tree.hull(e, end.corners);
+  end.normal = tree.normal(e);
+  return end;
+}
+
 Shafts::Shafts(const Faces& faces, std::span<const std::uint8_t> passable) {
   convex_outline_.resize(faces.count());
   for (std::size_t f = 0; f < faces.count(); ++f) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/element_tree.h"
 #include "mesh/faces.h"
 #include "mesh/geometry.h"
 
@@ -21,6 +22,9 @@ struct ShaftEnd {
   std::size_t count = 0;  ///< 1 (a point: no plane of its own, the normal is zero) to 4
   Vector normal;
 };
+
+/// The hull of a node, of its own side.
+ShaftEnd shaft_end(const ElementTree& tree, ElementId e);
 
 /// Conservative visibility between planar pieces: the convex hull of both ends against a tree of the faces' triangles
 /// [Haines, Wallace 1994], hidden when one convex blocker covers the hull.
