@@ -68,6 +68,27 @@ void expect_whole(const lighting::GridResult& grid) {
     throw std::logic_error("grid '" + grid.name + "' has arrays of different lengths");
 }
 
+/// What stands behind the names of one of several moments.
+std::string suffix(const std::string& moment) { return moment.empty() ? "" : "_" + column_word(moment); }
+
+/// How many results each observer has, one behind another; at least one.
+std::size_t moments_of(const std::vector<lighting::ObserverResult>& observers) {
+  std::size_t count = 1;
+  while (count < observers.size() && !observers[count].moment.empty() &&
+         observers[count].moment != observers.front().moment)
+    ++count;
+  return count;
+}
+
+void append_glare(std::string& text, const lighting::ObserverResult& o) {
+  if (std::isfinite(o.ugr))
+    append_light(text, static_cast<float>(o.ugr), o.observer.name);
+  else
+    text += ',';
+  for (const double x : {o.ugr_error, o.background_cd_m2, o.indirect_lux})
+    append_light(text, static_cast<float>(x), o.observer.name);
+}
+
 }  // namespace
 
 std::string column_word(std::string_view name) {
@@ -85,14 +106,15 @@ std::vector<float> modelling_of(const lighting::GridResult& grid) {
   return ratios;
 }
 
-std::string full_name(const lighting::GridResult& grid) {
-  return grid.moment.empty() ? grid.name : grid.name + "_" + column_word(grid.moment);
+std::string full_name(const lighting::GridResult& grid) { return grid.name + suffix(grid.moment); }
+std::string full_name(const lighting::ObserverResult& observer) {
+  return observer.observer.name + suffix(observer.moment);
 }
 
 std::vector<LightColumn> light_columns(std::span<const lighting::GridResult> moments) {
   std::vector<LightColumn> columns;
   for (const lighting::GridResult& grid : moments) {
-    const std::string when = grid.moment.empty() ? "" : "_" + column_word(grid.moment);
+    const std::string when = suffix(grid.moment);
     columns.push_back({"illuminance_lux" + when, grid.illuminance_lux});
     columns.push_back({"error_lux" + when, grid.error_lux});
     if (!grid.daylight_factor_percent.empty())
@@ -132,19 +154,22 @@ std::string grid_csv(std::span<const lighting::GridResult> moments) {
 }
 
 std::string observers_csv(const std::vector<lighting::ObserverResult>& observers) {
-  std::string text = "name,x,y,z,look_x,look_y,look_z,ugr,ugr_error,background_cd_m2,indirect_vertical_lux\n";
-  for (const lighting::ObserverResult& o : observers) {
+  const std::size_t moments = moments_of(observers);
+  std::string text = "name,x,y,z,look_x,look_y,look_z";
+  for (std::size_t m = 0; m < moments; ++m) {
+    const std::string when = observers.empty() ? "" : suffix(observers[m].moment);
+    for (const char* const column : {"ugr", "ugr_error", "background_cd_m2", "indirect_vertical_lux"})
+      text += "," + (column + when);
+  }
+  text += '\n';
+  for (std::size_t first = 0; first < observers.size(); first += moments) {
+    const lighting::Observer& o = observers[first].observer;
     std::string name;
-    for (const char c : o.observer.name) name += c == '"' ? "\"\"" : std::string(1, c);
+    for (const char c : o.name) name += c == '"' ? "\"\"" : std::string(1, c);
     text += '"' + name + '"';
-    for (const double x : {o.observer.eye.x, o.observer.eye.y, o.observer.eye.z}) append_coordinate(text, x, name);
-    for (const double x : {o.observer.look.x, o.observer.look.y, o.observer.look.z}) append_direction(text, x, name);
-    if (std::isfinite(o.ugr))
-      append_light(text, static_cast<float>(o.ugr), name);
-    else
-      text += ',';
-    for (const double x : {o.ugr_error, o.background_cd_m2, o.indirect_lux})
-      append_light(text, static_cast<float>(x), name);
+    for (const double x : {o.eye.x, o.eye.y, o.eye.z}) append_coordinate(text, x, name);
+    for (const double x : {o.look.x, o.look.y, o.look.z}) append_direction(text, x, name);
+    for (std::size_t m = 0; m < moments; ++m) append_glare(text, observers[first + m]);
     text += '\n';
   }
   return text;

@@ -38,11 +38,13 @@ std::vector<float> modelling_of(const lighting::GridResult& grid);
 /// The name of a group or moment as part of the name of a column: what would part columns becomes -.
 std::string column_word(std::string_view name);
 
-/// A grid's name; of several moments with `_MOMENT` behind it.
+/// The name of a grid or an observer; of several moments with `_MOMENT` behind it.
 std::string full_name(const lighting::GridResult& grid);
+std::string full_name(const lighting::ObserverResult& observer);
 
 /// Observers as a table, one a line: `name,x,y,z,look_x,look_y,look_z,ugr,ugr_error,background_cd_m2,indirect_vertical_lux`. The name is in
-/// quotation marks; ugr is empty where nothing glares.
+/// quotation marks; ugr is empty where nothing glares. Of several moments the last four columns come for each, with `_MOMENT` behind their names.
+/// @param observers  each at all moments, one behind another, or once
 std::string observers_csv(const std::vector<lighting::ObserverResult>& observers);
 
 /// Writes grid_csv() to a file. Throws MachineError when it cannot be written whole.

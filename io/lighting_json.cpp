@@ -14,6 +14,7 @@ Json vector_json(double x, double y, double z) { return Json::array({x, y, z}); 
 Json observer_json(const lighting::ObserverResult& o, const lighting::Results& results) {
   Json json;
   json["name"] = o.observer.name;
+  if (!o.moment.empty()) json["moment"] = o.moment;
   json["at"] = vector_json(o.observer.eye.x, o.observer.eye.y, o.observer.eye.z);
   json["look"] = vector_json(o.observer.look.x, o.observer.look.y, o.observer.look.z);
   json["room"] = o.room ? Json(results.rooms.at(*o.room).name) : Json(nullptr);
@@ -36,6 +37,7 @@ Json criterion_json(const lighting::Criterion& c) {
 Json task_json(const lighting::TaskResult& task) {
   Json json;
   json["name"] = task.name;
+  if (!task.moment.empty()) json["moment"] = task.moment;
   json["standard"] = "EN 12464-1:2021";
   json["task"] = task.task;
   json["room"] = task.room;

@@ -25,7 +25,7 @@ namespace {
 
 using lighting::StoredSolution;
 
-constexpr std::uint32_t kFormatVersion = 4;
+constexpr std::uint32_t kFormatVersion = 5;
 constexpr std::uint64_t kLargestFile = 8ULL << 30U;
 /// Bytes before the HDF5 file proper, which the format leaves to its users: who wrote the file, and a hash of all that follows. What HDF5
 /// is given to read is whole.
@@ -236,6 +236,7 @@ void visit_tables(Solution& s, const Table& table) {
   table("group_nodes", s.group_nodes);
   table("group_lux", s.group_lux);
   table("given_errors_lux2", s.given_errors);
+  table("given_lm", s.given_lm);
 }
 
 std::uint64_t hash_of(std::string_view bytes) {

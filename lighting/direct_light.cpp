@@ -139,8 +139,16 @@ NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMe
   const auto received = static_cast<float>(measured.received);
   node.received = {received, received * slope.slope_u, received * slope.slope_v};
   for (LinearValue& v : solution.direct(node.node)) v = node.received;
-  solution.add_error(node.node, measured.noise * measured.noise, survey.fit.residual * survey.fit.residual);
+  solution.add_error(node.node, measured.noise * measured.noise, survey.sunless_residual() * survey.sunless_residual());
   return node;
+}
+
+/// What suns give, where any does.
+void part_suns(const DirectSurvey& survey, const DirectMeasurement& measured, std::vector<SunDirect>& suns) {
+  const double misfit = survey.sun_residual;
+  if (measured.by_suns.mean <= 0.0 && misfit <= 0.0) return;
+  const Solution::Errors errors{static_cast<float>(measured.by_suns.variance), static_cast<float>(misfit * misfit)};
+  suns.push_back({{survey.below.node, measured.by_suns.mean}, errors});
 }
 
 }  // namespace
@@ -159,6 +167,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
   const std::vector<DirectMeasurement> measured = measure_all(sampler, accepted, measuring);
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     result.nodes.push_back(accept(solution, accepted[i], measured[i]));
+    part_suns(accepted[i], measured[i], result.suns);
     part(solution.scene().groups, accepted[i], measured[i], result.groups);
     const ElementId node = accepted[i].below.node;
     if (!solution.scene().is_pane(solution.tree().face_side(node)))

@@ -7,6 +7,7 @@
 #include "lighting/importance.h"
 #include "lighting/links.h"
 #include "lighting/luminaire_view.h"
+#include "lighting/received_flux.h"
 #include "lighting/solution.h"
 #include "mesh/progress.h"
 
@@ -36,6 +37,11 @@ struct GroupError {
   Solution::Errors errors;
 };
 
+/// What suns give a node straight, on the mean, and its squared errors [lux²].
+struct SunDirect : NodeLux {
+  Solution::Errors errors;
+};
+
 /// What light_directly() gives besides the direct light that it leaves in the solution.
 struct DirectLight {
   std::vector<NodeDirect> nodes;
@@ -46,7 +52,9 @@ struct DirectLight {
   double scale_lux = 0.0;
   double by_luminaires_lm = 0.0;    ///< flux that opaque nodes receive straight from luminaires
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
-  bool out_of_elements = false;     ///< whether nodes stay as they are because the solution may have no more elements
+  std::vector<SunDirect>
+      suns;  ///< the part of the direct light that is of suns; their errors are not in the solution yet
+  bool out_of_elements = false;  ///< whether nodes stay as they are because the solution may have no more elements
 };
 
 /// Finds what every node receives straight from sky (by itself or through openings), sun and luminaires, and what it sees through

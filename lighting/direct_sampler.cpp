@@ -114,6 +114,10 @@ LinearValue DirectSurvey::relative_slope() const {
   return {1.0F, static_cast<float>(fit.line.slope_u / total), static_cast<float>(fit.line.slope_v / total)};
 }
 
+double DirectSurvey::sunless_residual() const {
+  return std::sqrt(std::max(0.0, fit.residual * fit.residual - sun_residual * sun_residual));
+}
+
 /// A shadow ray that tells whether an opening, or the open sky, can be seen.
 struct DirectSampler::Probe {
   mesh::Segment segment;
@@ -265,7 +269,8 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
     if (scene().sky.parts.empty()) groups.add(scene().groups.of_sun(), by_sun.mean);
     result.received += by_sun.mean;
     result.total += by_sun.mean;
-    result.noise = std::hypot(result.noise, by_sun.standard_error());
+    result.by_suns.mean += by_sun.mean;
+    result.by_suns.variance += by_sun.variance;
   }
   result.groups = groups.lit();
   return result;
@@ -351,6 +356,7 @@ void DirectSampler::add_suns(const DirectCandidate& candidate, DirectSurvey& res
     const SunSurvey sun = suns_[k].survey(candidate.node, known);
     result.below.suns.push_back(sun.view);
     add(sun.fit, result.fit);
+    result.sun_residual = std::hypot(result.sun_residual, sun.fit.residual);
     result.total += sun.mean_lux;
   }
 }

@@ -29,14 +29,17 @@ struct DirectCandidate {
 /// How direct light changes over a node. The same directions serve at every place: differences are then the light's own, and the mean
 /// is left to measure().
 struct DirectSurvey {
-  LinearFit fit;       ///< of sky, sun, luminaires and the guess of what lies beyond openings
-  double total = 0.0;  ///< the mean of these [lux]
+  LinearFit fit;              ///< of sky, sun, luminaires and the guess of what lies beyond openings
+  double total = 0.0;         ///< the mean of these [lux]
+  double sun_residual = 0.0;  ///< the part of the fit's that is of suns [lux]
   /// Of several moments the sky's alone, by the mean of each [1/m].
   std::vector<LinearValue> moment_slopes;
   DirectCandidate below;  ///< what the node, or its children, need to look at
 
   /// Of the illuminance over the node, per unit of its mean [1/m].
   [[nodiscard]] LinearValue relative_slope() const;
+  /// What the line misses of all light but that of suns [lux].
+  [[nodiscard]] double sunless_residual() const;
 };
 
 /// What a node receives on the mean, with independent places and directions.
@@ -45,8 +48,9 @@ struct DirectMeasurement {
   double by_luminaires = 0.0;  ///< the part of it that comes from luminaires [lux]
   /// The same by group, where groups are told apart.
   std::vector<GroupLight> groups;
-  double total = 0.0;  ///< with the guess of what lies beyond openings [lux]
-  double noise = 0.0;  ///< standard error of total [lux]
+  double total = 0.0;     ///< with the guess of what lies beyond openings [lux]
+  double noise = 0.0;     ///< standard error of total but for suns [lux]
+  ReplicateMean by_suns;  ///< the part of total that comes straight from suns [lux]
   std::vector<SeenSurface> beyond;
 };
 

@@ -14,7 +14,7 @@ struct Scene;
 struct KnownLight {
   std::vector<SourceGroup> groups;
   std::vector<GroupDirect> direct;
-  std::vector<GroupError> errors;  ///< of suns that were cast by themselves
+  std::vector<GroupError> errors;  ///< of suns
 };
 
 /// What a scene's light is made of, by its own groups.

@@ -55,6 +55,7 @@ class Solver {
         opening_links_(std::move(direct.links)),
         groups_(std::move(direct.groups)),
         by_luminaires_lm_(direct.by_luminaires_lm),
+        suns_(std::move(direct.suns)),
         scale_lux_(direct.scale_lux),
         options_(options),
         clusters_(solution.scene(), solution.tree()) {}
@@ -83,13 +84,14 @@ class Solver {
     iterate();
     progress_.advance(kEndOfClosing);
     add_errors_of_looks();
-    given_errors_ = solution_.errors();
+    part_given_errors();
     add_link_errors(solution_, clusters_, arrivals_);
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
     if (!options_.keep_link_errors) arrivals_.forget_errors();
-    return {std::move(arrivals_), std::move(groups_), by_luminaires_lm_, std::move(given_errors_), std::move(clusters_),
-            std::move(errors),    iterations_,        convergence_,      out_of_elements_};
+    return {std::move(arrivals_), std::move(groups_), by_luminaires_lm_,    std::move(given_errors_),
+            std::move(given_lm_), std::move(suns_),   std::move(clusters_), std::move(errors),
+            iterations_,          convergence_,       out_of_elements_};
   }
 
  private:
@@ -408,6 +410,13 @@ class Solver {
     }
   }
 
+  /// Errors by rays, those of suns apart from the others: another sun has errors of its own.
+  void part_given_errors() {
+    given_errors_ = solution_.errors();
+    if (options_.keep_link_errors) given_lm_ = sunless_flux(solution_, {suns_.begin(), suns_.end()});
+    for (const SunDirect& sun : suns_) solution_.add_error(sun.node, sun.errors.noise2, sun.errors.misfit2);
+  }
+
   /// How unevenly surfaces shine in bands and in source groups, where these are asked for: refinement follows the worst of them.
   void tell_channels_apart() {
     const Scene& scene = solution_.scene();
@@ -456,6 +465,7 @@ class Solver {
   std::vector<Link> opening_links_;
   std::vector<GroupDirect> groups_;
   double by_luminaires_lm_;
+  std::vector<SunDirect> suns_;
   Arrivals arrivals_;
   double scale_lux_;
   SolveOptions options_;
@@ -464,6 +474,7 @@ class Solver {
   std::size_t iterations_ = 0;
   double convergence_ = 0.0;
   std::vector<Solution::Errors> given_errors_;
+  std::vector<double> given_lm_;
   bool out_of_elements_ = false;
 };
 

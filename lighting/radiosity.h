@@ -20,7 +20,10 @@ struct Transport {
   std::vector<GroupDirect> groups;  ///< what the solution's direct light is made of, where groups are told apart
   double by_luminaires_lm = 0.0;    ///< flux that opaque nodes receive straight from luminaires
   std::vector<Solution::Errors>
-      given_errors;  ///< [nodes] of what nodes receive by rays of their own, without the links' errors
+      given_errors;  ///< [nodes] of what nodes receive by rays of their own but for suns, without the links' errors
+  std::vector<double>
+      given_lm;                 ///< [nodes] the light that these belong to: all but suns'; where links' errors are kept
+  std::vector<SunDirect> suns;  ///< what is given by suns, and its errors
   Clusters clusters;
   SolutionErrors errors;
   std::size_t iterations = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lighting/cast_sun.h"
+#include "lighting/received_flux.h"
 #include "lighting/relaxation.h"
 #include "lighting/scene.h"
 #include "lighting/scene_hash.h"
@@ -15,19 +16,6 @@ using mesh::ElementId;
 
 namespace {
 
-/// Light that nodes receive in all [lm].
-std::vector<double> flux_of(const Solution& solution) {
-  const mesh::ElementTree& tree = solution.tree();
-  std::vector<double> flux(tree.size(), 0.0);
-  for (const ElementId e : solution.elements()) {
-    double own = 0.0;
-    for (std::size_t c = 0; c < solution.channels(); ++c)
-      own += solution.scene().channel_weights[c] * tree.area(e) * solution.irradiance(e)[c].value;
-    for (ElementId up = e; up.valid(); up = tree.parent(up)) flux[up.index()] += own;
-  }
-  return flux;
-}
-
 void give(const std::vector<GroupDirect>& direct, Solution& solution) {
   for (const GroupDirect& given : direct) {
     for (LinearValue& sum : solution.direct(given.node)) {
@@ -36,6 +24,15 @@ void give(const std::vector<GroupDirect>& direct, Solution& solution) {
       sum.slope_v += given.lux.slope_v;
     }
   }
+}
+
+std::vector<NodeLux> by_suns(const std::vector<GroupDirect>& direct, const Scene& scene) {
+  std::vector<NodeLux> suns;
+  if (!scene.sky.sun.shines()) return suns;
+  for (const GroupDirect& given : direct) {
+    if (given.group == scene.groups.of_sun()) suns.push_back({given.node, given.lux.value});
+  }
+  return suns;
 }
 
 /// What opaque nodes are given by groups of luminaires [lm].
@@ -57,7 +54,6 @@ Relighting::Relighting(Solution& solution, Transport transport, KnownLight known
       transport_(std::move(transport)),
       known_(std::move(known)),
       accuracy_(accuracy),
-      flux_lm_(flux_of(solution)),
       given_errors_(transport_.given_errors),
       seed_(transport_.errors.seed()) {}
 
@@ -75,15 +71,16 @@ void Relighting::cast(const Sun& sun, const std::string& name) {
   known_.errors.insert(known_.errors.end(), found.errors.begin(), found.errors.end());
 }
 
-void Relighting::add_errors(const std::vector<GroupError>& own) {
-  const std::vector<double> flux = flux_of(solution_);
+void Relighting::add_errors(const FittedLight& fitted) {
+  const std::vector<double> flux = sunless_flux(solution_, by_suns(fitted.direct, solution_.scene()));
   std::vector<Solution::Errors>& errors = transport_.given_errors;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double ratio = flux_lm_[i] > 0.0 ? flux[i] / flux_lm_[i] : 1.0;
+    const double before_lm = transport_.given_lm[i];
+    const double ratio = before_lm > 0.0 ? flux[i] / before_lm : 1.0;
     const auto squared = static_cast<float>(ratio * ratio);
     errors[i] = {squared * given_errors_[i].noise2, squared * given_errors_[i].misfit2};
   }
-  for (const GroupError& given : own) {
+  for (const GroupError& given : fitted.errors) {
     errors[given.node.index()].noise2 += given.errors.noise2;
     errors[given.node.index()].misfit2 += given.errors.misfit2;
   }
@@ -104,7 +101,7 @@ const Transport& Relighting::light(const Progress& progress) {
   const Relaxed relaxed = relax(solution_, transport_.clusters, transport_.arrivals, progress, Change::kOfElements);
   transport_.iterations = relaxed.iterations;
   transport_.convergence = relaxed.missing;
-  add_errors(fitted.errors);
+  add_errors(fitted);
   add_link_errors(solution_, transport_.clusters, transport_.arrivals);
   transport_.errors = SolutionErrors(solution_, transport_.arrivals, transport_.clusters, relaxed.missing, seed_);
   transport_.by_luminaires_lm = flux_by_luminaires(fitted.direct, solution_);

@@ -21,8 +21,8 @@ class Relighting {
   /// @param transport  of the solution, links with their errors
   Relighting(Solution& solution, Transport transport, KnownLight known, double accuracy);
 
-  /// Lights the solution by its scene's sky and lamps. Errors by rays are taken to be as large in relation to the light as they were; those of
-  /// links follow from the new radiosities. They tell what links too coarse for the new light cost. A sun that has been cast is known from
+  /// Lights the solution by its scene's sky and lamps. Errors by rays are taken to be as large in relation to the light as they were, suns'
+  /// apart from all else; those of links follow from the new radiosities. They tell what links too coarse for the new light cost. A sun that has been cast is known from
   /// then on. Throws InputError for a source that is not known.
   const Transport& light(const Progress& progress);
 
@@ -33,13 +33,12 @@ class Relighting {
   void cast(const Sun& sun, const std::string& name);
 
  private:
-  void add_errors(const std::vector<GroupError>& own);
+  void add_errors(const FittedLight& fitted);
 
   Solution& solution_;
   Transport transport_;
   KnownLight known_;
   double accuracy_;
-  std::vector<double> flux_lm_;  ///< [nodes] received at first
   std::vector<Solution::Errors> given_errors_;
   std::uint64_t seed_;
 };

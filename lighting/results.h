@@ -84,6 +84,7 @@ struct GridResult {
 /// What an observer sees of the luminaires.
 struct ObserverResult {
   Observer observer;
+  std::string moment;               ///< where there are several: each has a result of its own, one behind another
   std::optional<std::size_t> room;  ///< among the rooms of the results
   double ugr = 0.0;                 ///< minus infinity where nothing glares
   double ugr_error = 0.0;           ///< standard uncertainty (k = 1), by that of the background
@@ -111,7 +112,8 @@ struct Criterion {
 /// A task in a room, judged.
 struct TaskResult {
   std::string name;
-  std::string task;  ///< that is done, with its reference in the standard
+  std::string moment;  ///< where there are several: each has a result of its own, one behind another
+  std::string task;    ///< that is done, with its reference in the standard
   std::string room;
   std::vector<std::string> grids;
   std::vector<std::string> observers;

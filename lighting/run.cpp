@@ -109,6 +109,16 @@ void evaluate_all(const Study& study, const Solution& solution, const SolutionEr
   }
 }
 
+/// What was found moment by moment: all of the first grid, then of the next.
+template <class Found>
+std::vector<Found> by_subject(std::vector<std::vector<Found>> by_moment) {
+  std::vector<Found> in_order;
+  for (std::size_t i = 0; !by_moment.empty() && i < by_moment.front().size(); ++i) {
+    for (std::vector<Found>& found : by_moment) in_order.push_back(std::move(found[i]));
+  }
+  return in_order;
+}
+
 /// What observers see, and how tasks are judged by it and by the grids.
 void evaluate_tasks(const Study& study, const Solution& solution, const SolutionErrors& errors,
                     const AllSensors& sensors, std::uint64_t seed, Results& results, Progress& progress) {
@@ -212,8 +222,12 @@ void keep(const Solution& solution, const Transport& transport, const KnownLight
   results.solution->energy = results.energy;
 }
 
+/// Suns of several moments in one are to be cast by themselves.
 KnownLight light_of(const Scene& scene, const Transport& transport) {
-  return {scene.groups.all(), transport.groups, {}};
+  KnownLight light{scene.groups.all(), transport.groups, {}};
+  if (!scene.sky.parts.empty()) return light;
+  for (const SunDirect& sun : transport.suns) light.errors.push_back({sun.node, scene.groups.of_sun(), sun.errors});
+  return light;
 }
 
 /// What several moments give, one after the other on the links of one solution.
@@ -221,8 +235,9 @@ class Moments {
  public:
   /// @param scene  of the relit solution; left with the sky of the moment that was lit last
   /// @param kept   whether the light of patches of the sky is known, and may be needed
-  Moments(const Study& study, Scene& scene, const Solution& solution, Relighting& relighting, bool kept)
-      : study_(study), scene_(scene), solution_(solution), relighting_(relighting), kept_(kept) {}
+  Moments(const Study& study, Scene& scene, const AllSensors& sensors, const Solution& solution, Relighting& relighting,
+          bool kept)
+      : study_(study), scene_(scene), sensors_(sensors), solution_(solution), relighting_(relighting), kept_(kept) {}
 
   /// Measures all suns.
   void cast_suns() {
@@ -231,25 +246,29 @@ class Moments {
     }
   }
 
-  /// Each grid at each moment, in the place of the grids as they were placed.
+  /// Each grid at each moment, in the place of the grids as they were placed; observers and tasks likewise.
   void gather(Results& results, std::uint64_t seed, Progress& progress) {
-    std::vector<std::vector<GridResult>> found;
+    std::vector<std::vector<GridResult>> grids;
+    std::vector<std::vector<ObserverResult>> observers;
+    std::vector<std::vector<TaskResult>> tasks;
     for (std::size_t m = 0; m < study_.moments.size(); ++m) {
       PhasePart part(progress, share(m), share(m + 1));
       const Transport& transport = light(m, part);
       results.counts.iterations += transport.iterations;
       std::optional<GroupRadiosity> groups;
       if (scene_.groups.has_columns()) groups = solve_groups(solution_, transport);
-      std::vector<GridResult> grids = results.grids;
-      for (GridResult& grid : grids) grid.moment = study_.moments[m].moment;
-      evaluate_all(study_, solution_, transport.errors, groups, grids, seed, part);
-      found.push_back(std::move(grids));
+      Results own;
+      own.grids = results.grids;
+      evaluate_all(study_, solution_, transport.errors, groups, own.grids, seed, part);
+      evaluate_tasks(study_, solution_, transport.errors, sensors_, seed, own, part);
+      name(study_.moments[m].moment, own);
+      grids.push_back(std::move(own.grids));
+      observers.push_back(std::move(own.observers));
+      tasks.push_back(std::move(own.tasks));
     }
-    std::vector<GridResult> in_order;
-    for (std::size_t g = 0; g < results.grids.size(); ++g) {
-      for (auto& grids : found) in_order.push_back(std::move(grids[g]));
-    }
-    results.grids = std::move(in_order);
+    results.grids = by_subject(std::move(grids));
+    results.observers = by_subject(std::move(observers));
+    results.tasks = by_subject(std::move(tasks));
   }
 
   /// The surfaces at each moment.
@@ -271,6 +290,12 @@ class Moments {
   }
 
  private:
+  static void name(const std::string& moment, Results& own) {
+    for (GridResult& grid : own.grids) grid.moment = moment;
+    for (ObserverResult& observer : own.observers) observer.moment = moment;
+    for (TaskResult& task : own.tasks) task.moment = moment;
+  }
+
   [[nodiscard]] double share(std::size_t moments) const {
     return static_cast<double>(moments) / static_cast<double>(study_.moments.size());
   }
@@ -286,6 +311,7 @@ class Moments {
 
   const Study& study_;
   Scene& scene_;
+  const AllSensors& sensors_;
   const Solution& solution_;
   Relighting& relighting_;
   bool kept_;
@@ -346,14 +372,6 @@ void answer(const Study& study, const Solved& solved, PhaseClock& clock, Limited
   if (study.keep_solution) keep(solution, transport, light_of(scene, transport), study.accuracy.target, results);
 }
 
-/// Of several moments none is the one to judge by.
-void leave_tasks(const AllSensors& sensors, Results& results) {
-  if (sensors.observers.empty() && sensors.tasks.empty()) return;
-  results.notices.emplace_back(
-      "observers and tasks are judged by the light of one moment, and several are asked for: give one time, or "
-      "sky.type = \"none\" for electric light");
-}
-
 /// The same for several moments: the solution is of their mean, and lit anew for each. Its energy balance is that of the mean.
 void answer_moments(const Study& study, Solved solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
@@ -366,7 +384,7 @@ void answer_moments(const Study& study, Solved solved, PhaseClock& clock, Limite
   Solution lit = mean;
   const SolutionErrors errors = transport.errors;
   Relighting relighting(lit, transport, light_of(scene, transport), study.accuracy.target);
-  Moments moments(study, scene, lit, relighting, study.keep_solution);
+  Moments moments(study, scene, sensors, lit, relighting, study.keep_solution);
   moments.cast_suns();
   std::optional<StoredSolution> kept;
   if (study.keep_solution) {
@@ -377,7 +395,6 @@ void answer_moments(const Study& study, Solved solved, PhaseClock& clock, Limite
 
   clock.begin("gathering", progress);
   moments.gather(results, seed, progress);
-  leave_tasks(sensors, results);
 
   clock.begin("shadows", progress);
   progress.enter(Stage::kShowing);
@@ -406,8 +423,7 @@ void sense_anew(const Study& study, const StoredSolution& stored, Solved solved,
   if (!study.moments.empty()) {
     clock.begin("gathering", progress);
     progress.enter(LimitedProgress::Stage::kGathering);
-    Moments(study, scene, solution, relighting, true).gather(results, seed, progress);
-    leave_tasks(sensors, results);
+    Moments(study, scene, sensors, solution, relighting, true).gather(results, seed, progress);
     return;
   }
   transport = relighting.light(progress);

@@ -44,14 +44,14 @@ void expect_whole(const StoredSolution& s, const Solution& solution) {
                     s.group_nodes.size() == s.group_lux.size() && s.group_names.size() == s.group_strengths.size() &&
                     s.group_names.size() == s.group_kinds.size() && s.group_names.size() == s.group_sources.size() &&
                     s.group_error_nodes.size() == s.group_errors.size() &&
-                    s.given_errors.size() == count + s.open.size();
+                    s.given_errors.size() == count + s.open.size() && s.given_lm.size() == s.given_errors.size();
   const auto finite = [](const auto& values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
   };
   const auto all_finite = [&](const auto& rows) { return std::all_of(rows.begin(), rows.end(), finite); };
   if (!fits || !finite(s.misfit_lux) || !all_finite(s.irradiance) || !all_finite(s.errors) ||
       !all_finite(s.arrival_errors) || !all_finite(s.closing) || !all_finite(s.group_lux) ||
-      !all_finite(s.given_errors) || !all_finite(s.group_errors)) {
+      !all_finite(s.given_errors) || !finite(s.given_lm) || !all_finite(s.group_errors)) {
     damaged();
   }
 }
@@ -108,9 +108,11 @@ void store_transport(const Solution& solution, const Transport& transport, Store
       stored.arrivals_made.push_back((error.split_small ? kSplitSmall : 0U) | (error.rough ? kRough : 0U));
     }
   }
-  for (const ElementId e : nodes_of(solution))
-    stored.given_errors.push_back(
-        {transport.given_errors[e.index()].noise2, transport.given_errors[e.index()].misfit2});
+  for (const ElementId e : nodes_of(solution)) {
+    const Solution::Errors& errors = transport.given_errors[e.index()];
+    stored.given_errors.push_back({errors.noise2, errors.misfit2});
+    stored.given_lm.push_back(transport.given_lm[e.index()]);
+  }
 }
 
 void store_light(const KnownLight& light, StoredSolution& stored) {

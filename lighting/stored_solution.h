@@ -57,6 +57,7 @@ struct StoredSolution {
   std::vector<std::array<std::uint32_t, 2>> group_error_nodes;  ///< node and group whose errors are known apart
   std::vector<std::array<float, 2>> group_errors;               ///< of these, as GroupError
   std::vector<std::array<float, 2>> given_errors;               ///< [nodes that take part] Transport::given_errors
+  std::vector<double> given_lm;                                 ///< [nodes that take part] Transport::given_lm
 };
 
 /// All but the energy balance, which the solution does not know. The links' errors must be kept.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "io/csv.h"
 #include "io/summary.h"
 #include "io/text_table.h"
 
@@ -32,15 +33,16 @@ std::string observers_table(const lighting::Results& results) {
   if (results.observers.empty()) return {};
   std::vector<io::TextRow> rows = {{"observer", "UGR", "error", "background", "luminaires seen"}};
   for (const lighting::ObserverResult& o : results.observers)
-    rows.push_back({o.observer.name, std::isfinite(o.ugr) ? fmt::format("{:.1f}", o.ugr) : "none",
+    rows.push_back({io::full_name(o), std::isfinite(o.ugr) ? fmt::format("{:.1f}", o.ugr) : "none",
                     fmt::format("{:.2f}", o.ugr_error), figure(o.background_cd_m2) + " cd/m²",
                     std::to_string(o.glaring)});
   return io::text_table(rows) + "\n";
 }
 
 std::string task_table(const lighting::TaskResult& task) {
-  std::string text =
-      fmt::format("{}, EN 12464-1:2021, {}, in {}: {}\n", task.name, task.task, task.room, io::word_of(task.verdict));
+  const std::string when = task.moment.empty() ? "" : " at " + task.moment;
+  std::string text = fmt::format("{}{}, EN 12464-1:2021, {}, in {}: {}\n", task.name, when, task.task, task.room,
+                                 io::word_of(task.verdict));
   std::vector<io::TextRow> rows = {{"  criterion", "asked", "found", "error", "verdict"}};
   const auto amount = [](double value, const std::string& unit) {
     return unit.empty() ? fmt::format("{:.2f}", value) : figure(value) + " " + unit;

@@ -66,6 +66,22 @@ TEST(Csv, AnObserverALineWithAnEmptyUgrWhereNothingGlares) {
             "\"\",0,0,0,0,0,0,,0,0,0\n");
 }
 
+TEST(Csv, ObserversHaveColumnsOfEachMoment) {
+  std::vector<lighting::ObserverResult> observers(4);
+  for (std::size_t i = 0; i < observers.size(); ++i) {
+    observers[i].observer.name = i < 2 ? "front" : "back";
+    observers[i].moment = i % 2 == 0 ? "2026-03-21T0900" : "2026-03-21T1200";
+    observers[i].ugr = 10.0 + static_cast<double>(i);
+  }
+  EXPECT_EQ(full_name(observers[1]), "front_2026-03-21T1200");
+  EXPECT_EQ(observers_csv(observers),
+            "name,x,y,z,look_x,look_y,look_z,ugr_2026-03-21T0900,ugr_error_2026-03-21T0900,"
+            "background_cd_m2_2026-03-21T0900,indirect_vertical_lux_2026-03-21T0900,ugr_2026-03-21T1200,"
+            "ugr_error_2026-03-21T1200,background_cd_m2_2026-03-21T1200,indirect_vertical_lux_2026-03-21T1200\n"
+            "\"front\",0,0,0,0,0,0,10,0,0,0,11,0,0,0\n"
+            "\"back\",0,0,0,0,0,0,12,0,0,0,13,0,0,0\n");
+}
+
 TEST(Csv, SensorsKeepTheirNumbersWhereOthersAreLeftOut) {
   auto grid = two_sensors();
   grid.sensors.ids = {3, 7};

@@ -53,6 +53,7 @@ SolutionFile example() {
   s.group_nodes = {{5, 0}, {6, 2}};
   s.group_lux = {{10, 1, -1}, {20, 2, -2}};
   s.given_errors = {{0.5F, 0.25F}};
+  s.given_lm = {12.5};
   return file;
 }
 
@@ -118,6 +119,7 @@ TEST_F(SolutionFiles, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(a.group_nodes, b.group_nodes);
   EXPECT_EQ(a.group_lux, b.group_lux);
   EXPECT_EQ(a.given_errors, b.given_errors);
+  EXPECT_EQ(a.given_lm, b.given_lm);
 }
 
 TEST_F(SolutionFiles, WithoutElementsComeBackToo) {
@@ -153,7 +155,7 @@ TEST_F(SolutionFiles, OfOthersAreRefused) {
   EXPECT_THAT(refusal(file_, std::string(600, 'x')), HasSubstr("no stored solution"));
   write_solution(file_, example());
   std::string older = bytes_of(file_);
-  older[older.find("version 4") + 8] = '0';
+  older[older.find("version 5") + 8] = '0';
   EXPECT_THAT(refusal(file_, older), HasSubstr("another version"));
 }
 

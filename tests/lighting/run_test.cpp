@@ -135,6 +135,19 @@ TEST(Run, EachOfSeveralMomentsIsAsItIsByItself) {
   EXPECT_EQ(all.grids[2].groups[0].illuminance_lux[0], 0.0F);
 }
 
+TEST(Run, ObserversAreAskedAtEachOfSeveralMoments) {
+  Study study = study_of_moments();
+  study.observers = {{"front", {2.0, 3.0, 1.2}, {0.0, -1.0, 0.0}}, {"back", {2.0, 1.0, 1.2}, {0.0, 1.0, 0.0}}};
+  const Results results = answer(study);
+  ASSERT_EQ(results.observers.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(results.observers[i].observer.name, i < 3 ? "front" : "back");
+    EXPECT_EQ(results.observers[i].moment, study.moments[i % 3].moment);
+  }
+  // The lamp glares alike; by day the surfaces behind it are brighter than at night.
+  EXPECT_GT(results.observers[0].background_cd_m2, 2.0 * results.observers[2].background_cd_m2);
+}
+
 TEST(Run, SeveralMomentsGiveTheSameBitsByAnyNumberOfThreads) {
   const Study study = study_of_moments();
   set_threads(1);

@@ -31,6 +31,21 @@ TEST(TaskReport, JudgesInWords) {
   EXPECT_THAT(text, HasSubstr("  Said so.\n"));
 }
 
+TEST(TaskReport, TellsWhichOfSeveralMomentsIsJudged) {
+  lighting::Results results;
+  lighting::TaskResult& task = results.tasks.emplace_back();
+  task.name = "writing";
+  task.task = "offices";
+  task.room = "hall";
+  task.moment = "2026-03-21T0900";
+  lighting::ObserverResult& observer = results.observers.emplace_back();
+  observer.observer.name = "desk";
+  observer.moment = "2026-03-21T0900";
+  const std::string text = task_report(results);
+  EXPECT_THAT(text, HasSubstr("writing at 2026-03-21T0900, EN 12464-1:2021, offices, in hall"));
+  EXPECT_THAT(text, HasSubstr("desk_2026-03-21T0900"));
+}
+
 TEST(TaskReport, ListsLuminairesAndObservers) {
   lighting::Results results;
   results.luminaires = {{"panel.ldt", "row", 4, 12800.0, 128.0}};
