@@ -44,6 +44,8 @@ constexpr double kShareOfBeginnings = 0.3;
 
 /// Replicates of fewer rays than this must agree better before sampling stops: if all of them have missed a bright spot, they agree.
 constexpr double kManyRays = 8.0;
+/// The same under a sun, whose patches are small and a hundred times as bright as all around them.
+constexpr double kManyRaysUnderSun = 128.0;
 
 using Replicates = std::array<double, kReplicates>;
 
@@ -78,11 +80,15 @@ std::uint32_t first_rays(double accuracy) {
   return 1U << static_cast<unsigned>(std::clamp(doublings, 0.0, 8.0));
 }
 
+using ErrorSums = std::array<double, SolutionErrors::kSamples>;
+
 struct SensorState {
   std::vector<Part> parts;
   double exact_lux = 0.0;           ///< proven views of emitters, luminaires, a sun without a disc
   std::vector<GroupLight> exact;    ///< the same by group, where groups are told apart
-  double discretisation_lux = 0.0;  ///< error that the solution's own errors make here, and that of luminaires' areas
+  ErrorSums wrong{};                ///< what the light that rays around have met may be wrong by, summed up
+  double luminaires_lux = 0.0;      ///< error that luminaires' areas make here
+  double discretisation_lux = 0.0;  ///< this, and what the solution's own errors make
 
   [[nodiscard]] double mean() const {
     double sum = exact_lux;
@@ -94,15 +100,13 @@ struct SensorState {
     for (const Part& p : parts) sum += p.variance();
     return kStudent * std::sqrt(sum);
   }
-  /// The same, larger where rays are few: what decides whether to go on.
-  [[nodiscard]] double cautious_error() const {
+  /// The same, larger where rays are fewer than so many a replicate: what decides whether to go on.
+  [[nodiscard]] double cautious_error(double many_rays) const {
     double sum = 0.0;
-    for (const Part& p : parts) sum += p.variance() * std::sqrt(std::max(1.0, kManyRays / p.rays));
+    for (const Part& p : parts) sum += p.variance() * std::sqrt(std::max(1.0, many_rays / p.rays));
     return kStudent * std::sqrt(sum);
   }
 };
-
-using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
 /// Adds up the light along a ray.
 struct Looker {
@@ -169,6 +173,7 @@ class Gatherer {
         errors_(errors),
         rays_(solution, seed),
         first_rays_(first_rays(accuracy)),
+        many_rays_(solution.scene().sky.has_sun() ? kManyRaysUnderSun : kManyRays),
         luminaires_(any_luminaires(solution.scene())) {
     for (const Opening& opening : scene().openings) opening_ends_.push_back(shaft_end(opening));
   }
@@ -189,28 +194,29 @@ class Gatherer {
     const std::uint32_t through = roughly ? 1 : std::max(4U, rays);
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, through, sensor, at, receiver, state);
     Part hemisphere;
-    ErrorSums wrong{};
-    extend(hemisphere, rays, sensor, at, receiver, &wrong);
+    extend(hemisphere, rays, sensor, at, receiver, &state.wrong);
     // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
     while (!roughly && hemisphere.lit() < kReplicates / 2 && hemisphere.rays < kMostDarkRays) {
-      extend(hemisphere, 2 * hemisphere.rays, sensor, at, receiver, nullptr);
+      extend(hemisphere, 2 * hemisphere.rays, sensor, at, receiver, &state.wrong);
     }
     state.parts.push_back(hemisphere);
-    state.discretisation_lux = std::hypot(discretisation(wrong, rays * kReplicates), by_luminaires.error);
+    state.luminaires_lux = by_luminaires.error;
+    settle_discretisation(state);
     return state;
   }
 
-  /// Samples on until the error is under the goal [lux], or it is time to finish.
+  /// Samples on until the error allowed [lux] is kept, or it is time to finish.
   template <class ShouldFinish>
-  void improve(SensorState& state, double goal_lux, std::size_t sensor, const Point& at, const Receiver& receiver,
+  void improve(SensorState& state, double allowed_lux, std::size_t sensor, const Point& at, const Receiver& receiver,
                const ShouldFinish& should_finish) const {
+    const double clear_goal = kClearShare * sampling_goal(state, allowed_lux);
     for (Part& p : state.parts) {
       while (p.clear && !should_finish() && p.rays < kMostClearRays &&
-             kStudent * std::sqrt(p.variance()) > kClearShare * goal_lux) {
+             kStudent * std::sqrt(p.variance()) > clear_goal) {
         extend(p, 2 * p.rays, sensor, at, receiver, nullptr);
       }
     }
-    while (state.cautious_error() > goal_lux && !should_finish()) {
+    while (state.cautious_error(many_rays_) > sampling_goal(state, allowed_lux) && !should_finish()) {
       // The part whose doubling takes off most for a ray.
       Part* best = nullptr;
       double most = 0.0;
@@ -222,7 +228,9 @@ class Gatherer {
         }
       }
       if (best == nullptr) return;
-      extend(*best, 2 * best->rays, sensor, at, receiver, nullptr);
+      const bool around = best == &state.parts.back();
+      extend(*best, 2 * best->rays, sensor, at, receiver, around ? &state.wrong : nullptr);
+      if (around) settle_discretisation(state);
     }
   }
 
@@ -298,17 +306,19 @@ class Gatherer {
     state.parts.push_back(part);
   }
 
-  /// What the solution's errors make at a sensor, by what so many rays have met.
-  [[nodiscard]] static double discretisation(const ErrorSums& wrong, std::size_t rays) {
+  /// What the solution's errors make at a sensor, by all that rays around have met: errors of far elements cancel out only over many rays.
+  static void settle_discretisation(SensorState& state) {
     double square = 0.0;
-    for (const double sum : wrong) square += sum * sum / static_cast<double>(wrong.size());
-    return kStudentOfSamples * std::sqrt(square) / static_cast<double>(rays);
+    for (const double sum : state.wrong) square += sum * sum / static_cast<double>(state.wrong.size());
+    const double rays = static_cast<double>(state.parts.back().rays) * kReplicates;
+    state.discretisation_lux = std::hypot(kStudentOfSamples * std::sqrt(square) / rays, state.luminaires_lux);
   }
 
   const Solution& solution_;
   const SolutionErrors& errors_;
   SensorRays rays_;
   std::uint32_t first_rays_;
+  double many_rays_;
   std::vector<mesh::ShaftEnd> opening_ends_;
   std::vector<LuminaireView> luminaires_;
 };
@@ -345,8 +355,7 @@ Gathered gather(const Solution& solution, const SolutionErrors& errors, const Se
   PhasePart improving(progress, kShareOfBeginnings, 1.0);
   for_sensors(count, improving, [&](std::size_t i, const auto& should_finish) {
     const double level = std::max(states[i].mean(), kDarkShare * mean);
-    gatherer.improve(states[i], sampling_goal(states[i], accuracy * level), i, lifted[i], sensors.receiver(i),
-                     should_finish);
+    gatherer.improve(states[i], accuracy * level, i, lifted[i], sensors.receiver(i), should_finish);
   });
   Gathered result;
   for (const SensorState& s : states) {
