@@ -21,18 +21,25 @@ constexpr std::size_t kBatch = 1024;  ///< nodes between two signs of life
 /// Of the time, measured on the validation scenes.
 constexpr double kShareOfSurveys = 0.5;
 
-/// The roots, each of which may see everything.
-std::vector<DirectCandidate> roots_of(const Solution& solution) {
-  DirectCandidate all;
-  for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) all.openings.push_back(k);
-  all.luminaires = any_luminaires(solution.scene());
-  std::vector<DirectCandidate> roots;
-  for (const ElementId root : solution.tree().roots()) {
-    all.node = root;
-    roots.push_back(all);
+/// What a root looks at: everything. Lists are made for one root at a time, as all of theirs would fill the memory of a large scene.
+class Roots {
+ public:
+  explicit Roots(const Solution& solution) : luminaires_(any_luminaires(solution.scene())) {
+    for (std::uint32_t k = 0; k < solution.scene().openings.size(); ++k) openings_.push_back(k);
   }
-  return roots;
-}
+
+  [[nodiscard]] DirectCandidate candidate(ElementId root) const {
+    DirectCandidate all;
+    all.node = root;
+    all.openings = openings_;
+    all.luminaires = luminaires_;
+    return all;
+  }
+
+ private:
+  std::vector<std::uint32_t> openings_;
+  std::vector<LuminaireView> luminaires_;
+};
 
 /// Opens a node; its children look at what it has seen.
 void open(Solution& solution, const DirectSurvey& survey, std::vector<DirectCandidate>& next) {
@@ -71,10 +78,13 @@ std::vector<std::uint8_t> to_open(Solution& solution, const DirectSampler& sampl
   return chosen;
 }
 
-/// Opens nodes until a line over each of them will do, or the run must go on.
+/// Opens nodes until a line over each of them will do, or the run must go on: then all is looked at roughly.
 Surveyed survey_all(Solution& solution, const DirectSampler& sampler, double tolerance_lux, Progress& progress) {
   Surveyed accepted;
-  std::vector<DirectCandidate> round = roots_of(solution);
+  const Roots roots(solution);
+  std::vector<DirectCandidate> round(solution.tree().roots().size());
+  for (std::size_t i = 0; i < round.size(); ++i) round[i].node = solution.tree().roots()[i];
+  bool is_first = true;
   double surveyed = 0.0;
   double share = 0.0;
   while (!round.empty()) {
@@ -82,7 +92,11 @@ Surveyed survey_all(Solution& solution, const DirectSampler& sampler, double tol
     for (std::size_t first = 0; first < round.size(); first += kBatch) {
       const std::size_t batch = std::min(kBatch, round.size() - first);
       std::vector<DirectSurvey> surveys(batch);
-      parallel_for(batch, [&](std::size_t i) { surveys[i] = sampler.survey(round[first + i]); });
+      const bool roughly = progress.should_finish();
+      parallel_for(batch, [&](std::size_t i) {
+        const DirectCandidate& own = round[first + i];
+        surveys[i] = sampler.survey(is_first ? roots.candidate(own.node) : own, roughly);
+      });
       std::vector<std::uint8_t> chosen(batch, 0);
       if (!progress.should_finish())
         chosen = to_open(solution, sampler, tolerance_lux, surveys, accepted.out_of_elements);
@@ -98,6 +112,7 @@ Surveyed survey_all(Solution& solution, const DirectSampler& sampler, double tol
       progress.advance(share);
     }
     round = std::move(next);
+    is_first = false;
   }
   return accepted;
 }

@@ -7,6 +7,7 @@
 #include "lighting/importance.h"
 #include "lighting/links.h"
 #include "lighting/luminaire_view.h"
+#include "lighting/minor_openings.h"
 #include "lighting/received_flux.h"
 #include "lighting/solution.h"
 #include "mesh/progress.h"
@@ -17,7 +18,7 @@ namespace clerestory::lighting {
 struct NodeDirect {
   mesh::ElementId node;
   std::vector<std::uint32_t> openings;    ///< through which it may be lit
-  std::vector<std::uint32_t> minor;       ///< others, through which it may be lit so little that it hardly matters
+  std::vector<MinorOpening> minor;        ///< others, through which it may be lit so little that it hardly matters
   std::vector<LuminaireView> luminaires;  ///< by which it may be lit
   bool open_sky = false;                  ///< whether it may see the sky by no opening
   LinearValue received;                   ///< [lux]

@@ -34,6 +34,7 @@ constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell
 constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with; fewer where a node looks at many
 constexpr std::uint32_t kLeastRays = 8;
 constexpr std::uint32_t kMostRays = 512;    ///< a batch and opening
+constexpr std::size_t kMostMinor = 16;      ///< openings that hardly matter: so many stand for all
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
@@ -142,17 +143,23 @@ struct DirectSampler::Part {
     for (double& mean : means) mean /= rays;
     return mean_of_replicates(means);
   }
+  /// Of what it adds, that of having been drawn for others included [Horvitz, Thompson 1952].
+  [[nodiscard]] double variance() const {
+    const ReplicateMean own = lux();
+    return weight * weight * own.variance + weight * (weight - 1.0) * own.mean * own.mean;
+  }
   void add_to(DirectMeasurement& result, GroupSums& of_all) const {
-    result.received += share() * received;
-    result.total += lux().mean;
-    for (const GroupLight& light : groups.lit()) of_all.add(light.group, share() * light.lux);
+    result.received += weight * share() * received;
+    result.total += weight * lux().mean;
+    for (const GroupLight& light : groups.lit()) of_all.add(light.group, weight * share() * light.lux);
     for (SeenSurface seen : beyond) {
-      seen.factor *= static_cast<float>(share());
+      seen.factor *= static_cast<float>(weight * share());
       result.beyond.push_back(seen);
     }
   }
 
   std::int32_t opening;
+  double weight = 1.0;                  ///< of its light: above 1 where it stands for other openings
   std::uint32_t rays = 0;               ///< a batch
   std::array<double, kBatches> sums{};  ///< with the guess of what lies beyond
   double received = 0.0;                ///< from the sky
@@ -204,26 +211,32 @@ DirectSampler::Places DirectSampler::places_on(ElementId e, std::uint64_t key) c
   return places;
 }
 
-DirectSurvey DirectSampler::survey(const DirectCandidate& candidate) const {
+DirectSurvey DirectSampler::survey(const DirectCandidate& candidate, bool roughly) const {
   const ElementId e = candidate.node;
+  const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
   const std::uint64_t key = mesh::hash(seed_, solution_.tree().key(e));
   DirectSurvey result;
   result.below.node = e;
   result.below.open_sky = false;
   result.below.minor = candidate.minor;
   Places places = places_on(e, key);
+  const mesh::ShaftEnd own = mesh::shaft_end(solution_.tree(), e);
   for (const std::uint32_t k : candidate.openings) {
-    if (most_light(e, k) <= tolerance(e)) {
-      result.below.minor.push_back(k);
+    if (!in_view(e, own, k)) continue;
+    if (most_light() * most_seen(e, k) <= allowed) {
+      result.below.minor.push_back({k});
       continue;
     }
-    if (!may_see(e, k) || !sees(e, static_cast<std::int32_t>(k))) continue;
+    if (scene().shafts->classify(own, ends_[k]) == mesh::Visibility::kHidden) continue;
+    if (!sees(e, static_cast<std::int32_t>(k))) continue;
     result.below.openings.push_back(k);
     survey_opening(e, k, mesh::hash(key, k), places, result.total);
   }
-  if (candidate.open_sky && scene().has_sky() && sees(e, kOpenSky)) {
-    result.below.open_sky = true;
-    survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
+  keep_few(e, key, result.below.minor);
+  if (candidate.open_sky && scene().has_sky()) {
+    result.below.minor_sky = most_light() <= allowed;
+    result.below.open_sky = result.below.minor_sky || sees(e, kOpenSky);
+    if (result.below.open_sky && !result.below.minor_sky) survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
   }
   result.fit = fit_line(places.samples, true);
   for (const auto& lux : places.moments) {
@@ -248,16 +261,16 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   GroupSums groups(scene().groups);
   std::vector<Part> parts;
   for (const std::uint32_t k : survey.below.openings) parts.emplace_back(static_cast<std::int32_t>(k), scene().groups);
-  if (survey.below.open_sky) parts.emplace_back(kOpenSky, scene().groups);
+  if (survey.below.open_sky && !survey.below.minor_sky) parts.emplace_back(kOpenSky, scene().groups);
   const std::uint32_t first = first_rays(parts.size());
   for (Part& part : parts) extend(e, first, part);
   if (!roughly) improve(e, parts);
-  for (const Part& part : parts) result.noise += part.lux().variance;
-  result.noise = std::sqrt(result.noise);
-  for (const std::uint32_t k : survey.below.minor) {
-    if (in_view(e, k)) extend(e, 1, parts.emplace_back(static_cast<std::int32_t>(k), scene().groups));
+  measure_minor(survey.below, parts);
+  for (const Part& part : parts) {
+    result.noise += part.variance();
+    part.add_to(result, groups);
   }
-  for (const Part& part : parts) part.add_to(result, groups);
+  result.noise = std::sqrt(result.noise);
   const double allowed = roughly ? std::numeric_limits<double>::infinity() : tolerance(e);
   const ReplicateMean by_luminaires = luminaires_.mean(e, survey.below.luminaires, allowed, groups);
   result.by_luminaires = by_luminaires.mean;
@@ -276,23 +289,45 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   return result;
 }
 
-/// A bound on what an opening can give a node, were all of it as bright as sky and ground get [lux].
-double DirectSampler::most_light(ElementId e, std::uint32_t k) const {
+/// Few rays for what hardly matters.
+void DirectSampler::measure_minor(const DirectCandidate& node, std::vector<Part>& parts) const {
+  const mesh::ShaftEnd own = mesh::shaft_end(solution_.tree(), node.node);
+  for (const MinorOpening& minor : node.minor) {
+    if (!in_view(node.node, own, minor.opening)) continue;
+    Part& part = parts.emplace_back(static_cast<std::int32_t>(minor.opening), scene().groups);
+    part.weight = minor.weight;
+    extend(node.node, 1, part);
+  }
+  if (node.minor_sky) extend(node.node, kLeastRays, parts.emplace_back(kOpenSky, scene().groups));
+}
+
+/// Where a node cannot matter much through many openings, a few of them stand for all: else each of n rooms would look for light
+/// through the windows of n.
+void DirectSampler::keep_few(ElementId e, std::uint64_t key, std::vector<MinorOpening>& minor) const {
+  if (minor.size() <= kMostMinor) return;
+  std::vector<double> sizes;
+  for (const MinorOpening& m : minor) sizes.push_back(m.weight * most_seen(e, m.opening));
+  draw_openings(sizes, kMostMinor, SobolPoints(mesh::hash(key, 0xFEFE)).at(0, 0), minor);
+}
+
+/// A bound on the illuminance of a node that sees nothing but sky and ground [lux].
+double DirectSampler::most_light() const { return std::numbers::pi * brightest_; }
+
+/// A bound on the form factor of an opening.
+double DirectSampler::most_seen(ElementId e, std::uint32_t k) const {
   const mesh::ElementTree& tree = solution_.tree();
   const mesh::ShaftEnd& end = ends_[k];
   const Point centre = midpoint(end.corners[0], end.corners[2]);
   const double reach = tree.radius(e) + norm(end.corners[0] - centre);
   const double distance = norm(tree.centroid(e) - centre) - reach;
-  if (distance <= 0.0) return std::numeric_limits<double>::infinity();
-  const double share = std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
-  return std::numbers::pi * brightest_ * share;
+  if (distance <= 0.0) return 1.0;
+  return std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
 }
 
 /// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
-bool DirectSampler::in_view(ElementId e, std::uint32_t k) const {
-  const mesh::ElementTree& tree = solution_.tree();
-  if (tree.face_side(e).face == scene().openings[k].face) return false;
-  const mesh::ShaftEnd own = mesh::shaft_end(tree, e);
+/// @param own  shaft_end() of the node
+bool DirectSampler::in_view(ElementId e, const mesh::ShaftEnd& own, std::uint32_t k) const {
+  if (solution_.tree().face_side(e).face == scene().openings[k].face) return false;
   const auto in_front = [](const mesh::ShaftEnd& of, const mesh::ShaftEnd& other) {
     for (std::size_t i = 0; i < other.count; ++i) {
       if (dot(other.corners[i] - of.corners[0], of.normal) > 1e-9) return true;
@@ -300,11 +335,6 @@ bool DirectSampler::in_view(ElementId e, std::uint32_t k) const {
     return false;
   };
   return in_front(own, ends_[k]) && in_front(ends_[k], own);
-}
-
-bool DirectSampler::may_see(ElementId e, std::uint32_t k) const {
-  if (!in_view(e, k)) return false;
-  return scene().shafts->classify(mesh::shaft_end(solution_.tree(), e), ends_[k]) != mesh::Visibility::kHidden;
 }
 
 void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,

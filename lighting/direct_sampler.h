@@ -8,6 +8,7 @@
 #include "lighting/importance.h"
 #include "lighting/linear_fit.h"
 #include "lighting/luminaire_sampler.h"
+#include "lighting/minor_openings.h"
 #include "lighting/seen_surfaces.h"
 #include "lighting/solution.h"
 #include "lighting/sun_sampler.h"
@@ -20,8 +21,9 @@ class SobolPoints;
 struct DirectCandidate {
   mesh::ElementId node;
   std::vector<std::uint32_t> openings;    ///< those that may be seen
-  std::vector<std::uint32_t> minor;       ///< those that cannot matter much here: measured with few rays, not surveyed
+  std::vector<MinorOpening> minor;        ///< those that cannot matter much here: measured with few rays, not surveyed
   bool open_sky = true;                   ///< may see the sky by no opening
+  bool minor_sky = false;                 ///< … which cannot matter much here
   std::vector<SunView> suns;              ///< [suns of the sky]; empty: nothing is known
   std::vector<LuminaireView> luminaires;  ///< those that may be seen
 };
@@ -61,7 +63,8 @@ class DirectSampler {
   ///                   that may be missed on one
   DirectSampler(const Solution& solution, const Importance& importance, double tolerance, std::uint64_t seed);
 
-  [[nodiscard]] DirectSurvey survey(const DirectCandidate& candidate) const;
+  /// @param roughly  as if the node hardly mattered
+  [[nodiscard]] DirectSurvey survey(const DirectCandidate& candidate, bool roughly = false) const;
   /// The error at the sensors [lux] where a line over the node stands for what was surveyed.
   [[nodiscard]] double effect(const DirectSurvey& survey) const;
   /// @param roughly  with the fewest rays, whatever the noise
@@ -77,9 +80,11 @@ class DirectSampler {
   [[nodiscard]] double reflectance(mesh::ElementId e) const;
   [[nodiscard]] double tolerance(mesh::ElementId e) const;
 
-  [[nodiscard]] double most_light(mesh::ElementId e, std::uint32_t k) const;
-  [[nodiscard]] bool in_view(mesh::ElementId e, std::uint32_t k) const;
-  [[nodiscard]] bool may_see(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] double most_light() const;
+  [[nodiscard]] double most_seen(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] bool in_view(mesh::ElementId e, const mesh::ShaftEnd& own, std::uint32_t k) const;
+  void keep_few(mesh::ElementId e, std::uint64_t key, std::vector<MinorOpening>& minor) const;
+  void measure_minor(const DirectCandidate& node, std::vector<Part>& parts) const;
   [[nodiscard]] bool sees(mesh::ElementId e, std::int32_t opening) const;
   [[nodiscard]] Probe probe(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
   [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;

@@ -208,6 +208,8 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
       counts[e.index()] += 1.0;
     }
   }
+  reached_sides_.assign(2 * solution.scene().faces.count(), walkers == 0 ? 1 : 0);
+  for (const Deposit& d : deposits) reached_sides_[tree.face_side(d.node).index()] = 1;
   find_uneven(tree, own, counts);
   spread(tree, own, walkers == 0 ? 1.0 : kAreaShare);
 }

@@ -30,6 +30,8 @@ class Importance {
   /// Mean illuminance of the sensors as the walks saw it [lux]: the scale of tolerances. Not less than a small share of what the
   /// scene's light would give all surfaces, so that dark rooms need no endless refinement; zero where nothing shines.
   [[nodiscard]] double mean_lux() const { return mean_lux_; }
+  /// [sides] non-zero where some walk ended, so that light from there is likely to come to the sensors; without sensors everywhere.
+  [[nodiscard]] const std::vector<std::uint8_t>& reached_sides() const { return reached_sides_; }
 
  private:
   void find_uneven(const mesh::ElementTree& tree, std::span<const double> own, std::span<const double> counts);
@@ -38,6 +40,7 @@ class Importance {
 
   std::vector<float> importance_;  ///< [nodes at the time of the walks]
   std::vector<float> uneven_;
+  std::vector<std::uint8_t> reached_sides_;
   double mean_lux_ = 0.0;
 };
 

@@ -194,8 +194,8 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
     const std::uint32_t i = node_at_[up.index()];
     if (i == kNone) continue;
     const std::uint32_t rays = rays_each(nodes_[i].openings.size());
-    for (const std::uint32_t k : nodes_[i].openings) through_opening(k, rays, receiver, sum);
-    for (const std::uint32_t k : nodes_[i].minor) through_opening(k, kFewRays, receiver, sum);
+    for (const std::uint32_t k : nodes_[i].openings) through_opening({k}, rays, receiver, sum);
+    for (const MinorOpening& minor : nodes_[i].minor) through_opening(minor, kFewRays, receiver, sum);
   }
   from_surfaces(receiver, sum);
   return std::move(sum).light();
@@ -254,19 +254,21 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
   sum.end(emitter.exitance * seen.factor);
 }
 
-void LocalPass::through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const {
+void LocalPass::through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
+                                Sum& sum) const {
   const Scene& scene = solution_.scene();
+  const std::uint32_t opening = drawn.opening;
   const OpeningSampler sampler(receiver.from, scene.openings[opening].triangles);
   const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(opening), true};
   sum.begin();
   for (std::uint32_t i = 0; i < rays; ++i) {
     const SolidAngleSample s = sampler.sample(numbers_.at(i, 0), numbers_.at(i, 1));
     const double cosine = dot(s.direction, receiver.normal);
-    sum.begin_ray(s.solid_angle_sr * cosine / std::numbers::pi, false);
+    sum.begin_ray(drawn.weight * s.solid_angle_sr * cosine / std::numbers::pi, false);
     if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
     follow(scene, receiver.from, s.direction, 1.0F, rule, sum);
   }
-  sum.end(sum.part_lux() > 0.0 ? 0.0 : missed_through(opening, rays, receiver, sum));
+  sum.end(sum.part_lux() > 0.0 ? 0.0 : drawn.weight * missed_through(opening, rays, receiver, sum));
 }
 
 /// What an opening gives at most whose rays have all missed the sky: by clipping, where that may matter.

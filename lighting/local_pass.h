@@ -60,7 +60,7 @@ class LocalPass {
   [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
-  void through_opening(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
+  void through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] double missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
                                       const Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;

@@ -131,9 +131,10 @@ void evaluate_tasks(const Study& study, const Solution& solution, const Solution
 
 /// The surfaces, with the lines of discontinuity in their mesh where these are asked for and limits allow.
 void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
-                   std::span<const NodeDirect> nodes, double scale_lux, Results& results, Progress& progress) {
+                   std::span<const NodeDirect> nodes, const Importance& importance, Results& results,
+                   Progress& progress) {
   PhasePart meshing(progress, 0.0, kShareOfShownMesh);
-  Shower shower(study, solution, errors, nodes, scale_lux, meshing);
+  Shower shower(study, solution, errors, nodes, importance, meshing);
   try {
     PhasePart lighting(progress, kShareOfShownMesh, 1.0);
     results.surfaces = shower.light(solution, errors, lighting);
@@ -337,7 +338,7 @@ struct Solved {
   const AllSensors& sensors;
   Transport transport;
   std::vector<NodeDirect> nodes;
-  double scale_lux = 0.0;
+  const Importance* importance = nullptr;  ///< null where a stored solution is sensed
   std::uint64_t seed = 0;
 };
 
@@ -354,7 +355,7 @@ void gather_all(const Study& study, const Solved& solved, const SolutionErrors& 
 /// From the solution to the results.
 void answer(const Study& study, const Solved& solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
-  const auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
+  const auto& [scene, solution, sensors, transport, nodes, importance, seed] = solved;
   std::optional<GroupRadiosity> groups;
   if (scene.groups.has_columns()) {
     clock.begin("channels", progress);
@@ -367,7 +368,7 @@ void answer(const Study& study, const Solved& solved, PhaseClock& clock, Limited
   results.energy = energy_balance(solution, transport, seed);
 
   clock.begin("shadows", progress);
-  show_surfaces(study, solution, transport.errors, nodes, scale_lux, results, progress);
+  show_surfaces(study, solution, transport.errors, nodes, *importance, results, progress);
   conclude(study, scene, progress, results);
   if (study.keep_solution) keep(solution, transport, light_of(scene, transport), study.accuracy.target, results);
 }
@@ -375,7 +376,7 @@ void answer(const Study& study, const Solved& solved, PhaseClock& clock, Limited
 /// The same for several moments: the solution is of their mean, and lit anew for each. Its energy balance is that of the mean.
 void answer_moments(const Study& study, Solved solved, PhaseClock& clock, LimitedProgress& progress, Results& results) {
   using Stage = LimitedProgress::Stage;
-  auto& [scene, mean, sensors, transport, nodes, scale_lux, seed] = solved;
+  auto& [scene, mean, sensors, transport, nodes, importance, seed] = solved;
   clock.begin("balancing", progress);
   results.energy = energy_balance(mean, transport, seed);
 
@@ -400,7 +401,7 @@ void answer_moments(const Study& study, Solved solved, PhaseClock& clock, Limite
   progress.enter(Stage::kShowing);
   scene.sky = study.sky;
   PhasePart meshing(progress, 0.0, kShareOfShownMesh);
-  Shower shower(study, mean, errors, nodes, scale_lux, meshing);
+  Shower shower(study, mean, errors, nodes, *importance, meshing);
   PhasePart lighting(progress, kShareOfShownMesh, 1.0);
   show_surfaces(moments, shower, lit, results, lighting);
   conclude(study, scene, progress, results);
@@ -417,7 +418,7 @@ void sense_as_stored(const Study& study, const StoredSolution& stored, Solved so
 /// The same by solving on the stored links.
 void sense_anew(const Study& study, const StoredSolution& stored, Solved solved, PhaseClock& clock,
                 LimitedProgress& progress, Results& results) {
-  auto& [scene, solution, sensors, transport, nodes, scale_lux, seed] = solved;
+  auto& [scene, solution, sensors, transport, nodes, importance, seed] = solved;
   clock.begin("solving", progress);
   Relighting relighting = relighting_of(stored, solution);
   if (!study.moments.empty()) {
@@ -477,7 +478,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("linking", progress);
   progress.enter(Stage::kLinking);
   solution.limit_elements(study.mesh.max_elements);
-  Solved solved{scene, solution, sensors, {}, direct.nodes, importance.mean_lux(), seed};
+  Solved solved{scene, solution, sensors, {}, direct.nodes, &importance, seed};
   solved.transport = solve(solution, importance, std::move(direct),
                            {.accuracy = target,
                             .seed = seed,
@@ -519,9 +520,9 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   results.counts.links = stored.links;
   const bool anew = needs_solving(stored, scene) || scene.groups.has_columns() || !study.moments.empty();
   if (anew)
-    sense_anew(study, stored, {scene, solution, sensors, {}, {}, 0.0, seed}, clock, progress, results);
+    sense_anew(study, stored, {scene, solution, sensors, {}, {}, nullptr, seed}, clock, progress, results);
   else
-    sense_as_stored(study, stored, {scene, solution, sensors, {}, {}, 0.0, seed}, clock, progress, results);
+    sense_as_stored(study, stored, {scene, solution, sensors, {}, {}, nullptr, seed}, clock, progress, results);
   results.counts.elements = solution.elements().size();
   conclude(study, scene, progress, results);
   clock.end();

@@ -40,13 +40,14 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
 }  // namespace
 
 Shower::Shower(const Study& study, const Solution& solution, const SolutionErrors& errors,
-               std::span<const NodeDirect> nodes, double scale_lux, Progress& progress)
-    : nodes_(nodes), accuracy_(study.accuracy.target), dark_lux_(kDarkShare * scale_lux) {
+               std::span<const NodeDirect> nodes, const Importance& importance, Progress& progress)
+    : nodes_(nodes), accuracy_(study.accuracy.target), dark_lux_(kDarkShare * importance.mean_lux()) {
   if (!study.mesh.discontinuities) return;
   try {
     const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
     progress.advance(0.0);
-    shown_ = shown_mesh(solution, errors, local, {accuracy_, dark_lux_, study.mesh.max_elements}, progress);
+    shown_ = shown_mesh(solution, errors, local,
+                        {accuracy_, dark_lux_, study.mesh.max_elements, importance.reached_sides()}, progress);
     progress.advance(1.0);
   } catch (const LimitedProgress::ShowingIsOver&) {
     is_over_ = true;

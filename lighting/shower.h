@@ -5,6 +5,7 @@
 #include <span>
 
 #include "lighting/direct_light.h"
+#include "lighting/importance.h"
 #include "lighting/results.h"
 #include "lighting/shown_mesh.h"
 #include "lighting/solution.h"
@@ -20,8 +21,9 @@ class Shower {
   /// Finds the mesh with the lines of discontinuity where these are asked for and limits allow.
   /// @param solution  whose light the mesh follows
   /// @param nodes     of light_directly(); kept by reference
+  /// @param importance  of the solution: surfaces that do not matter to the sensors are shown finely as long as they are few
   Shower(const Study& study, const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
-         double scale_lux, Progress& progress);
+         const Importance& importance, Progress& progress);
 
   [[nodiscard]] const std::optional<ShownMesh>& mesh() const { return shown_; }
   /// Whether the mesh, or light on it, could not be had in the time.

@@ -33,8 +33,8 @@ constexpr double kNoBoundM = 1e9;
 /// Lines nearer to each other are one [m]: that far a shadow's edge may lie off its place, and slivers between nearly parallel lines cost
 /// more elements than they are worth.
 constexpr double kLineDistanceM = 0.01;
-/// What finding lines and lighting what they bound may cost follows what the solution has cost: lines, critical surfaces and points of the
-/// mesh, by element of the solution.
+/// What finding lines and lighting what they bound may cost follows what the solution has cost where it matters: lines, critical surfaces
+/// and points of the mesh, by element of the solution there.
 constexpr double kLinesPerElement = 0.05;
 constexpr double kSurfacesPerElement = 1.0;
 constexpr double kPointsPerElement = 0.75;
@@ -88,8 +88,18 @@ double size_at(const Solution& solution, const std::vector<std::uint8_t>& shown,
   return std::max(size, kFinestM);
 }
 
-LineOptions line_options(const Solution& solution, const ShownOptions& asked) {
-  const auto elements = static_cast<double>(solution.elements().size());
+bool matters(const ShownOptions& options, FaceSide side) {
+  return options.matters.empty() || options.matters[side.index()] != 0;
+}
+
+/// How many elements lie on surfaces that matter.
+double elements_that_matter(const Solution& solution, const ShownOptions& options) {
+  double count = 0.0;
+  for (const ElementId e : solution.elements()) count += matters(options, solution.tree().face_side(e)) ? 1.0 : 0.0;
+  return count;
+}
+
+LineOptions line_options(const Solution& solution, const ShownOptions& asked, double elements) {
   LineOptions options;
   options.tolerance = asked.accuracy;
   options.most_sources = kMostSources;
@@ -148,6 +158,7 @@ bool is_strip(const mesh::Faces& faces, FaceId face) {
 /// A side on which an element is less sure than it was asked to be.
 struct UnsureSide {
   std::size_t side = 0;
+  bool matters = true;
   double weight_m2 = 0.0;     ///< area, times the squared relative error of what is there
   std::size_t triangles = 0;  ///< about so many in its mesh
 };
@@ -167,18 +178,22 @@ std::vector<UnsureSide> unsure_sides(const Solution& solution, const SolutionErr
     if (error > options.accuracy) found.weight_m2 += error * error * solution.tree().area(e);
     found.triangles += solution.tree().is_triangle(e) ? 1 : solution.tree().start_triangle_count(e);
   }
-  for (std::size_t s = 0; s < sides.size(); ++s) sides[s].side = s;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    sides[s].side = s;
+    sides[s].matters = matters(options, mesh::face_side(s));
+  }
   std::erase_if(sides, [&](const UnsureSide& s) {
     return s.weight_m2 <= 0.0 || is_strip(scene.faces, mesh::face_side(s.side).face);
   });
   return sides;
 }
 
-/// Those of them that are worth most for their triangles, of which there may be so many [sides].
+/// Those of them that matter first, then those that are worth most for their triangles, of which there may be so many [sides].
 std::vector<std::uint8_t> unsure(const Solution& solution, const SolutionErrors& errors, const ShownOptions& options,
                                  std::size_t most_triangles) {
   std::vector<UnsureSide> sides = unsure_sides(solution, errors, options);
   std::stable_sort(sides.begin(), sides.end(), [](const UnsureSide& a, const UnsureSide& b) {
+    if (a.matters != b.matters) return a.matters;
     return a.weight_m2 * static_cast<double>(b.triangles) > b.weight_m2 * static_cast<double>(a.triangles);
   });
   std::vector<std::uint8_t> found(2 * solution.scene().faces.count(), 0);
@@ -266,15 +281,15 @@ ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, con
   const Scene& scene = solution.scene();
   ShownMesh result;
   PhasePart finding(progress, 0.0, kShareOfLines);
-  LineOptions lines = line_options(solution, options);
+  const double elements = elements_that_matter(solution, options);
+  LineOptions lines = line_options(solution, options, elements);
   lines.progress = &finding;
   result.found = find_discontinuities(scene, lines);
   // Points of curved parts lie on their limit surface, where a line in the plane of one facet says little.
   std::erase_if(result.found.lines, [&](const mesh::DiscontinuityLine& line) {
     return !scene.faces.faces[line.face.index()].facets.empty();
   });
-  const auto by_elements =
-      static_cast<std::size_t>(kPointsPerElement * static_cast<double>(solution.elements().size()));
+  const auto by_elements = static_cast<std::size_t>(kPointsPerElement * elements);
   const std::size_t cap = options.most_elements / 2;
   const std::size_t most_points = std::min(std::max(kFewPoints, by_elements), cap);
   const std::size_t most_triangles = std::max(kFewTriangles, 2 * by_elements);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lighting/discontinuities.h"
@@ -28,11 +29,12 @@ struct ShownOptions {
   double dark_lux = 0.0;   ///< darker places count as if they had so much
   std::size_t most_elements =
       1'000'000;  ///< triangles; small elements give way first, then surfaces without lines, then the lightest lines
+  std::span<const std::uint8_t> matters{};  ///< [sides] non-zero for those that come first; empty: all do
 };
 
 /// Finds the lines across which the elements of a solution miss more than they may, and meshes their faces, and those that the solution is
 /// less sure of than it was asked to be. The number of lines, and what it costs to find and to light them, is bounded by the number of
-/// elements of the solution.
+/// elements of the solution on surfaces that matter.
 ShownMesh shown_mesh(const Solution& solution, const SolutionErrors& errors, const LocalPass& local,
                      const ShownOptions& options, Progress& progress);
 

@@ -18,7 +18,7 @@ constexpr double kFloorToCeiling = 0.28273279;
 
 struct Sampled : test::Stage {
   explicit Sampled(const Study& study)
-      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, 1.0, 1) {}
+      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, 1e-4, 1) {}
 
   /// Of a root that may see everything.
   [[nodiscard]] DirectSurvey survey(const std::string& material, mesh::Side side = mesh::Side::kFront) const {

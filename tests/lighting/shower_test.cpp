@@ -18,7 +18,7 @@ struct Shown : test::Stage {
         importance(solution, positions, normals, 1),
         direct(light_directly(solution, importance, 0.002 * study.accuracy.target, 1, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = 1}, nobody)),
-        shower(study, solution, transport.errors, direct.nodes, importance.mean_lux(), nobody) {}
+        shower(study, solution, transport.errors, direct.nodes, importance, nobody) {}
 
   [[nodiscard]] auto of_elements() const { return surface_values(solution, transport.errors).illuminance_lux; }
 
