@@ -89,6 +89,20 @@ TEST_F(StudyLuminaires, MaintenanceDimmingAndTiltMultiply) {
   EXPECT_NEAR(all[0].factor, 0.25 * 0.75, 1e-12);
 }
 
+TEST_F(StudyLuminaires, TiltTablesHoldForAnyGeometryOfTheLampAndAnyWayOfLeaning) {
+  for (const std::string geometry : {"1", "2", "3"}) {
+    std::string text = kIes;
+    const std::size_t at = text.find("TILT=INCLUDE\n") + 13;
+    ASSERT_NE(at, std::string::npos + 13);
+    text.replace(at, text.find('\n', at) - at, geometry);
+    test::write_text(folder_.path() / "tilted.ies", text);
+    const std::string lamp = "photometry = 'tilted.ies'\nat = [1, 2, 2.5]\nmaintenance = 1.0\n";
+    EXPECT_NEAR(luminaires(lamp)[0].factor, 1.0, 1e-12) << geometry;
+    for (const std::string aim : {"[0, 1, -1]", "[1, 0, -1]", "[-1, 0, -1]"})
+      EXPECT_NEAR(luminaires(lamp + "aim = " + aim + "\n")[0].factor, 0.75, 1e-12) << geometry << aim;
+  }
+}
+
 TEST_F(StudyLuminaires, AreDarkForTheDaylightFactor) {
   const std::string lines = "[[luminaires]]\nphotometry = 'lamp.ies'\nat = [1, 2, 2.5]\n";
   EXPECT_TRUE(read(lines, {.kind = lighting::Study::Kind::kDaylight, .set = {}}).luminaires.empty());

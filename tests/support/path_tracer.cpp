@@ -37,8 +37,16 @@ class Random {
 double luminance_beyond(const lighting::Sky& sky, const Vector& direction) {
   const double horizontal = sky.horizontal_illuminance_lux;
   if (sky.type == lighting::Sky::Type::kNone) return 0.0;
-  if (direction.z < 0.0) return sky.ground_reflectance * horizontal / pi;
+  const double by_sun = sky.sun.normal_illuminance_lux * std::max(0.0, sky.sun.towards.z);
+  if (direction.z < 0.0) return sky.ground_reflectance * (horizontal + by_sun) / pi;
   if (sky.type == lighting::Sky::Type::kUniform) return horizontal / pi;
+  if (sky.type == lighting::Sky::Type::kDistribution) {
+    const lighting::SkyDistribution& l = sky.distribution;
+    const double cosine = std::clamp(dot(direction, l.towards_sun), -1.0, 1.0);
+    const double gradation = 1.0 + l.a * std::exp(l.b / std::max(direction.z, 1e-9));
+    return sky.luminance_scale * gradation *
+           (1.0 + l.c * (std::exp(l.d * std::acos(cosine)) - l.k) + l.e * cosine * cosine);
+  }
   return 9.0 / (7.0 * pi) * horizontal * (1.0 + 2.0 * direction.z) / 3.0;
 }
 
@@ -69,6 +77,7 @@ class PathTracer {
  public:
   PathTracer(const TracedScene& scene, bool sample_emitters) : scene_(scene), lift_m_(scene.rays->offset_m()) {
     if (sample_emitters) list_emitters();
+    list_panes();
   }
 
   /// One sample of the illuminance.
@@ -76,7 +85,7 @@ class PathTracer {
     double sum = 0.0;
     double weight = 1.0;
     for (int bounce = 0;; ++bounce) {
-      sum += weight * (from_emitters(vertex, random) + from_points(vertex));
+      sum += weight * (from_emitters(vertex, random) + from_points(vertex) + from_sun(vertex));
       const double reflectance = follow(vertex, weight, sum, random);
       if (reflectance <= 0.0) return sum;
       weight *= reflectance;
@@ -89,8 +98,11 @@ class PathTracer {
 
  private:
   void list_emitters();
+  void list_panes();
   double from_emitters(const Vertex& vertex, Random& random) const;
   double from_points(const Vertex& vertex) const;
+  double from_sun(const Vertex& vertex) const;
+  double mirrored(const Point& from, const Vector& image, const Vector& pane_normal) const;
   double follow(Vertex& vertex, double weight, double& sum, Random& random) const;
   double unblocked(const Vertex& from, const Point& to) const;
 
@@ -108,6 +120,7 @@ class PathTracer {
   const TracedScene& scene_;
   double lift_m_;
   std::vector<Emitter> emitters_;
+  std::vector<Vector> panes_;  // normals, one for all parallel panes
 };
 
 void PathTracer::list_emitters() {
@@ -159,6 +172,58 @@ double PathTracer::from_points(const Vertex& vertex) const {
     sum += luminaire.intensity_cd(-d / r) * cosine / (r * r) * unblocked(vertex, at);
   }
   return sum;
+}
+
+void PathTracer::list_panes() {
+  for (std::size_t f = 0; f < scene_.faces.count(); ++f) {
+    if (scene_.materials[f].opening || scene_.materials[f].transmittance_normal < 0.0) continue;
+    const Vector& w = scene_.faces.faces[f].frame.w;
+    const bool known =
+        std::any_of(panes_.begin(), panes_.end(), [&](const Vector& n) { return std::abs(dot(n, w)) > 1.0 - 1e-9; });
+    if (!known) panes_.push_back(w);
+  }
+}
+
+/// Illuminance by the sun, a point: straight, and mirrored once by a pane. Twice is left out: rooms of one window have none of it.
+double PathTracer::from_sun(const Vertex& vertex) const {
+  const lighting::Sun& sun = scene_.sky.sun;
+  if (!sun.shines()) return 0.0;
+  const double far_m = 2.0 * scene_.rays->bounds().diagonal();
+  double sum = 0.0;
+  const double cosine = dot(vertex.normal, sun.towards);
+  if (cosine > 0.0) sum += cosine * unblocked(vertex, vertex.at + far_m * sun.towards);
+  for (const Vector& w : panes_) {
+    const Vector image = sun.towards - 2.0 * dot(sun.towards, w) * w;
+    const double towards_image = dot(vertex.normal, image);
+    if (towards_image > 0.0) sum += towards_image * mirrored(vertex.at, image, w);
+  }
+  return sun.normal_illuminance_lux * sum;
+}
+
+/// The share of the sun's light that comes from its image in panes of one plane's direction.
+double PathTracer::mirrored(const Point& from, const Vector& image, const Vector& pane_normal) const {
+  const Vector towards = image - 2.0 * dot(image, pane_normal) * pane_normal;
+  const double far_m = 2.0 * scene_.rays->bounds().diagonal();
+  double sum = 0.0;
+  double passed = 1.0;
+  for (Point at = from;;) {
+    const mesh::Hit hit = scene_.rays->first_hit({at, image});
+    if (!hit.face.valid()) return sum;
+    const TracedFace& material = scene_.materials[hit.face.index()];
+    if (!material.opening && material.transmittance_normal < 0.0) return sum;
+    const mesh::Face& face = scene_.faces.faces[hit.face.index()];
+    const Point there = at + hit.distance * image;
+    if (!material.opening) {
+      const double slope = std::abs(dot(image, face.frame.w));
+      const PaneOptics pane = pane_optics(material.transmittance_normal, slope);
+      if (std::abs(dot(face.frame.w, pane_normal)) > 1.0 - 1e-9) {
+        const Point turned = lifted(there, face, towards);
+        sum += passed * pane.reflectance * unblocked({turned, {}}, turned + far_m * towards);
+      }
+      passed *= pane.transmittance;
+    }
+    at = lifted(there, face, image);
+  }
 }
 
 /// What passes on the straight way: 0 behind an opaque face, the product of transmittances otherwise.

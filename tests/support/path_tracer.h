@@ -51,7 +51,8 @@ struct Traced {
   double standard_error_lux = 0.0;
 };
 
-/// Illuminance at sensors by plain path tracing, unbiased: no clamping, no cut-off, Russian roulette. Each sensor has random
+/// Illuminance at sensors by plain path tracing, unbiased: no clamping, no cut-off, Russian roulette. The sun, as a point, is sampled at every
+/// bounce, straight and mirrored once by a pane. Each sensor has random
 /// numbers of its own.
 /// @param positions  [m, model coordinates]
 /// @param normals    unit vectors

@@ -71,6 +71,27 @@ TEST(PathTracer, OpenPlaneReceivesTheHorizontalIlluminanceOfTheSky) {
   }
 }
 
+TEST(PathTracer, OpenPlaneReceivesClearSkyAndSun) {
+  lighting::Study study = grey_study(large_square(0.0), 0.2);
+  const Vector towards = mesh::normalized({1, -2, 1.5});
+  study.sky = lighting::sky_of(lighting::cie_general_sky(12, towards), 12'000.0);
+  study.sky.sun = {.towards = towards, .normal_illuminance_lux = 50'000.0};
+  expect_within_noise(trace_one(study, {0, 0, 1}, {0, 0, 1}, {.paths = 20'000}), 12'000.0 + 50'000.0 * towards.z);
+}
+
+TEST(PathTracer, PaneMirrorsTheSunOntoASensorBeforeIt) {
+  mesh::Model model;
+  support::add_quad(model, {-100, 0, -100}, {100, 0, -100}, {100, 0, 100}, {-100, 0, 100});
+  lighting::Study study = grey_study(model, 0.0);
+  study.materials.front().glazing = lighting::Glazing{.transmittance_normal = 0.7};
+  study.sky.sun = {.towards = mesh::normalized({0, -1, 1}), .normal_illuminance_lux = 1000.0};
+  const double cosine = std::sqrt(0.5);
+  const Traced before = trace_one(study, {0, -1, 0}, {0, 1, 0}, {.paths = 2});
+  EXPECT_NEAR(before.illuminance_lux, 1000.0 * cosine * pane_optics(0.7, cosine).reflectance, 1e-6);
+  const Traced behind = trace_one(study, {0, 1, 0}, {0, -1, 0}, {.paths = 2});
+  EXPECT_NEAR(behind.illuminance_lux, 1000.0 * cosine * pane_optics(0.7, cosine).transmittance, 1e-6);
+}
+
 TEST(PathTracer, SensorOnItsSideSeesSkyAndGroundBeyondTheModel) {
   lighting::Study study = grey_study(large_square(-1000.0), 0.0);
   study.model = support::box_room(0.01, 0.01, 0.01);  // a speck: nothing but sky and the ground beyond is seen
@@ -163,6 +184,55 @@ TEST(PathTracer, AgreesWithTheLampRoomWithinItsNoise) {
 TEST(PathTracer, AgreesWithTheOfficeWithinItsNoise) {
   CLERESTORY_NEEDS_VALIDATION("office");
   expect_agreement("office", 7, 65'536);
+}
+
+/// A room of 4 m × 5 m × 2.8 m with a glazed window of 2.4 m × 1.5 m to the south and a table before it.
+lighting::Study sunny_room() {
+  mesh::Model model;
+  support::add_quad(model, {0, 0, 0}, {4, 0, 0}, {4, 5, 0}, {0, 5, 0}, {.material = "floor"});
+  support::add_quad(model, {0, 0, 2.8}, {0, 5, 2.8}, {4, 5, 2.8}, {4, 0, 2.8}, {.material = "ceiling"});
+  support::add_quad(model, {0, 5, 0}, {4, 5, 0}, {4, 5, 2.8}, {0, 5, 2.8});
+  support::add_quad(model, {0, 0, 0}, {0, 5, 0}, {0, 5, 2.8}, {0, 0, 2.8});
+  support::add_quad(model, {4, 0, 0}, {4, 0, 2.8}, {4, 5, 2.8}, {4, 5, 0});
+  support::add_polygon(model, {{0, 0, 0}, {0, 0, 2.8}, {4, 0, 2.8}, {4, 0, 0}}, {},
+                       {{{0.8, 0, 0.9}, {3.2, 0, 0.9}, {3.2, 0, 2.4}, {0.8, 0, 2.4}}});
+  support::add_quad(model, {0.8, 0, 0.9}, {3.2, 0, 0.9}, {3.2, 0, 2.4}, {0.8, 0, 2.4}, {.material = "glass"});
+  support::add_table(model, {1.2, 1.0, 0.0});
+  lighting::Study study = grey_study(model, 0.5);
+  material(study, "floor").front.reflectance = lighting::Spectrum{0.25F};
+  material(study, "ceiling").front.reflectance = lighting::Spectrum{0.8F};
+  material(study, "glass").glazing = lighting::Glazing{.transmittance_normal = 0.7};
+  add_sensors(study, cell_centres({0.2, 0.2, 0.85}, 3.6, 4.6, 12), {0, 0, 1});
+  return study;
+}
+
+/// The program against the oracle, at 2 %: the mean within 1 %, the errors honest as far as so many sensors can tell.
+void expect_as_traced(const std::string& what, const lighting::Study& study) {
+  const lighting::GridResult grid = answer(study).grids.at(0);
+  const lighting::GridRequest& asked = study.grids.front();
+  const auto traced = trace_illuminance(traced_scene(study), asked.points, asked.normals, {.paths = 16'384});
+  Reference reference;
+  for (const Traced& t : traced) {
+    reference.illuminance_lux.push_back(t.illuminance_lux);
+    reference.standard_error_lux.push_back(t.standard_error_lux);
+  }
+  const Comparison result = compare(grid, reference);
+  print(what, result);
+  EXPECT_LE(std::abs(result.bias), 0.01) << what;
+  EXPECT_GE(result.rms_z, 0.5) << what;
+  EXPECT_LE(result.rms_z, 1.2) << what;
+  // Of n sensors with 95 % each, so many fewer are within two standard deviations.
+  EXPECT_GE(result.covered, 0.95 - 2.0 * std::sqrt(0.95 * 0.05 / static_cast<double>(result.count))) << what;
+}
+
+TEST(PathTracer, SunAndSkyThroughAWindowAreAsTheProgramSays) {
+  lighting::Study study = sunny_room();
+  const Vector towards = mesh::normalized({0.35, -1.0, 0.75});
+  for (const int type : {1, 12}) {
+    study.sky = lighting::sky_of(lighting::cie_general_sky(type, towards), 15'000.0);
+    study.sky.sun = {.towards = towards, .normal_illuminance_lux = 40'000.0};
+    expect_as_traced(type == 1 ? "overcast sky and sun" : "clear sky and sun", study);
+  }
 }
 
 }  // namespace
