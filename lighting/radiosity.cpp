@@ -16,8 +16,8 @@
 #include "lighting/channel_system.h"
 #include "lighting/closure.h"
 #include "lighting/element_limit.h"
-#include "lighting/hemisphere_links.h"
 #include "lighting/linker.h"
+#include "lighting/lookers.h"
 #include "lighting/mirror_links.h"
 #include "lighting/parallel.h"
 #include "lighting/relaxation.h"
@@ -39,11 +39,6 @@ constexpr double kEndOfClosing = 0.98;
 constexpr std::size_t kBatch = 1U << 13U;
 /// Error of a proven link's factor that parts of its ends may share.
 constexpr double kMissed = 0.004;
-/// What a node sees by rays: what most surfaces receive, in terms of the mean at the sensors, and how far single rays differ from it.
-constexpr double kBrightness = 2.0;
-constexpr double kSpread = 0.7;
-constexpr std::uint32_t kLooks = 32;
-constexpr std::uint32_t kMostLooks = 128;
 
 class Solver {
  public:
@@ -95,52 +90,37 @@ class Solver {
   }
 
  private:
-  /// A root that looks around by rays, for all that does not shine by itself.
-  struct Looker {
-    ElementId root;
-    HemisphereView view;
-  };
-
-  /// Parts the roots in those that look around by rays and those that link to what surrounds them, and gives the links to begin with.
+  /// Lets those who do so look around, and gives the links to begin with.
   std::vector<LinkCandidate> begin() {
-    const auto roots = solution_.tree().roots();
-    std::vector<HemisphereView> views(roots.size());
-    for (std::size_t first = 0; first < roots.size() && !clusters_.are_few(); first += kBatch) {
-      parallel_for(std::min(kBatch, roots.size() - first),
-                   [&](std::size_t k) { views[first + k] = look(roots[first + k]); });
-      progress_.advance(0.0);
+    const bool few = clusters_.are_few();
+    Receivers receivers;
+    if (few) {
+      receivers.linking.assign(solution_.tree().roots().begin(), solution_.tree().roots().end());
+    } else {
+      const double goal_lux = options_.node_share * options_.accuracy * scale_lux_;
+      receivers = find_receivers(solution_, importance_, {scale_lux_, goal_lux, options_.seed}, progress_);
     }
-    const bool bundled = options_.clusters && !clusters_.are_few();
-    const std::vector<std::uint32_t> beginnings = bundled ? clusters_.tops() : clusters_.leaves();
+    lookers_ = std::move(receivers.lookers);
+    const std::vector<std::uint32_t> beginnings = options_.clusters && !few ? clusters_.tops() : clusters_.leaves();
     std::vector<LinkCandidate> start;
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      const bool looks = views[i].rays > 0;
-      if (looks) {
-        for (LinearValue& direct : solution_.direct(roots[i]))
-          direct.value += static_cast<float>(views[i].mirrored_sky_lux);
-        for (const GroupLight& light : views[i].mirrored_groups)
-          groups_.push_back({roots[i], light.group, {static_cast<float>(light.lux), 0.0F, 0.0F}});
-        lookers_.push_back({roots[i], std::move(views[i])});
-      }
+    for (const Looker& looker : lookers_) {
+      take_mirrored_sky(looker);
       for (const std::uint32_t top : beginnings) {
-        if (!looks || clusters_.kind(top) == Clusters::Kind::kShining)
-          start.push_back({roots[i], source_of(top), Visibility::kPartial});
+        if (clusters_.kind(top) == Clusters::Kind::kShining)
+          start.push_back({looker.node, source_of(top), Visibility::kPartial});
       }
+    }
+    for (const ElementId root : receivers.linking) {
+      for (const std::uint32_t top : beginnings) start.push_back({root, source_of(top), Visibility::kPartial});
     }
     return start;
   }
 
-  /// What a root sees by rays: nothing where so many rays would be needed, or where it matters so much how light changes over it, that links
-  /// serve better.
-  [[nodiscard]] HemisphereView look(ElementId root) const {
-    const double goal = options_.node_share * options_.accuracy * scale_lux_;
-    const Scene& scene = solution_.scene();
-    const double rho = luminance(scene.side_reflectance(solution_.tree().face_side(root)), scene.channel_weights);
-    const double lit = rho * kBrightness * scale_lux_;
-    if (lit * importance_.uneven(root) > goal) return {};
-    const double rays = std::pow(kSpread * lit * importance_.of(solution_.tree(), root) / goal, 2.0);
-    if (rays > kMostLooks) return {};
-    return look_around(solution_, root, rays > kLooks ? kMostLooks : kLooks, options_.seed);
+  void take_mirrored_sky(const Looker& looker) {
+    const auto& [node, view] = looker;
+    for (LinearValue& direct : solution_.direct(node)) direct.value += static_cast<float>(view.mirrored_sky_lux);
+    for (const GroupLight& light : view.mirrored_groups)
+      groups_.push_back({node, light.group, {static_cast<float>(light.lux), 0.0F, 0.0F}});
   }
 
   [[nodiscard]] LinkSource source_of(std::uint32_t cluster) const {
@@ -364,7 +344,7 @@ class Solver {
     arrivals_ = {};
     std::vector<Link> looked;
     for (const Looker& looker : lookers_) {
-      const std::vector<Link> links = links_to_seen(solution_, looker.root, looker.view.seen, {});
+      const std::vector<Link> links = links_to_seen(solution_, looker.node, looker.view.seen, {});
       looked.insert(looked.end(), links.begin(), links.end());
     }
     arrivals_ = Arrivals({links_, opening_links_, looked}, solution_.tree(), with_errors);
@@ -406,7 +386,7 @@ class Solver {
   void add_errors_of_looks() {
     for (const Looker& looker : lookers_) {
       const double error = looker.view.estimate(solution_).error_lux;
-      solution_.add_error(looker.root, error * error, 0.0);
+      solution_.add_error(looker.node, error * error, 0.0);
     }
   }
 
