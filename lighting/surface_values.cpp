@@ -270,12 +270,13 @@ class SurfaceWriter {
       sums_[cell[k]] += tree_.area(triangle) * illuminance_at(element, corners[k]);
       weights_[cell[k]] += tree_.area(triangle);
     }
-    for (std::size_t k = 0; k < 3; ++k) {
+    const bool curved = !solution_.scene().faces.faces[tree_.face_side(root).face.index()].facets.empty();
+    // A flat region that is one element is shown by a conforming triangulation: nothing hangs on its edges, which are most of a large scene's.
+    for (std::size_t k = 0; k < 3 && (curved || element != root); ++k) {
       const std::size_t next = (k + 1) % 3;
       edges_.push_back({root, {cell[k], cell[next]}, {corners[k], corners[next]}, tree_.centroid(triangle)});
     }
-    if (!solution_.scene().faces.faces[tree_.face_side(root).face.index()].facets.empty())
-      curved_cells_.push_back({result_.cells.size(), element});
+    if (curved) curved_cells_.push_back({result_.cells.size(), element});
     const Point& middle = tree_.centroid(triangle);
     float radiosity = own_radiosity(tree_.face_side(element));
     for (std::size_t c = 0; c < solution_.channels(); ++c) {
