@@ -136,6 +136,8 @@ def main():
             generate(size)
             blocks.append(row(size, run(program, block, folder)))
         text += table(blocks)
+        if arguments.most < SIZES[-1]:
+            text += f"\nLarger blocks, up to {SIZES[-1]:,} triangles, were left out of this run (`--most {arguments.most}`).\n"
         text += f"\n## One building, tessellated finer\n\nThe block of {BUILDING:,} triangles, each cut into 4, 9 and 16.\n"
         generate(BUILDING)
         finer = folder / "finer.obj"
