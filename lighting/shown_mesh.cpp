@@ -116,6 +116,15 @@ LineOptions line_options(const Solution& solution, const ShownOptions& asked, do
   return options;
 }
 
+/// The feet of slits on sides that are shown.
+std::vector<mesh::FaceLine> feet_on(std::span<const mesh::Slit> slits, std::span<const std::uint8_t> shown) {
+  std::vector<mesh::FaceLine> lines;
+  for (const mesh::Slit& slit : slits) {
+    if (shown[FaceSide{slit.foot.face, slit.side}.index()] != 0) lines.push_back(slit.foot);
+  }
+  return lines;
+}
+
 /// Meshes the faces of the lines found, and others that are shown.
 /// @param finer  sizes besides those of the solution; may be null
 void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, const mesh::SizeField* finer,
@@ -129,7 +138,7 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
     if (line.order == 0) result.jump[line.face.index()] = 1;
   }
   // The feet of slits, where light and dark lie side by side, are lines of the solver's mesh too.
-  std::vector<mesh::FaceLine> lines = mesh::feet_of(mesh::find_slits(scene.faces, result.shown));
+  std::vector<mesh::FaceLine> lines = feet_on(scene.slits, result.shown);
   for (const mesh::DiscontinuityLine& line : result.found.lines) lines.push_back({line.face, line.ends});
   std::vector<std::uint8_t> wanted(scene.faces.count(), 0);
   for (std::size_t s = 0; s < result.shown.size(); ++s) wanted[mesh::face_side(s).face.index()] |= result.shown[s];
