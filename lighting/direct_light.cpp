@@ -134,12 +134,13 @@ std::vector<DirectMeasurement> measure_all(const DirectSampler& sampler, const s
 void part(const SourceGroups& all, const DirectSurvey& survey, const DirectMeasurement& measured,
           std::vector<GroupDirect>& groups) {
   for (const GroupLight& light : measured.groups) {
-    LinearValue slope = survey.relative_slope();
-    for (std::size_t m = 0; m < survey.moment_slopes.size(); ++m) {
-      if (light.group == all.of_sky_at(m)) slope = survey.moment_slopes[m];
-    }
     const auto lux = static_cast<float>(light.lux);
-    groups.push_back({survey.below.node, light.group, {lux, lux * slope.slope_u, lux * slope.slope_v}});
+    LinearValue line{lux, lux * measured.slope.slope_u, lux * measured.slope.slope_v};
+    for (std::size_t m = 0; m < measured.moment_slopes.size(); ++m) {
+      const LinearValue& own = measured.moment_slopes[m];
+      if (light.group == all.of_sky_at(m)) line = {lux, own.slope_u, own.slope_v};
+    }
+    groups.push_back({survey.below.node, light.group, line});
   }
 }
 
@@ -150,7 +151,7 @@ NodeDirect accept(Solution& solution, const DirectSurvey& survey, const DirectMe
   node.minor = survey.below.minor;
   node.luminaires = survey.below.luminaires;
   node.open_sky = survey.below.open_sky;
-  const LinearValue slope = survey.relative_slope();
+  const LinearValue slope = measured.slope;
   const auto received = static_cast<float>(measured.received);
   node.received = {received, received * slope.slope_u, received * slope.slope_v};
   for (LinearValue& v : solution.direct(node.node)) v = node.received;
@@ -189,7 +190,7 @@ DirectLight light_directly(Solution& solution, const Importance& importance, dou
       result.by_luminaires_lm += solution.tree().area(node) * measured[i].by_luminaires;
     // Light through openings changes over the node as the sum of it does.
     const std::vector<Link> links =
-        links_to_seen(solution, accepted[i].below.node, measured[i].beyond, accepted[i].relative_slope());
+        links_to_seen(solution, accepted[i].below.node, measured[i].beyond, measured[i].slope);
     result.links.insert(result.links.end(), links.begin(), links.end());
   }
   return result;

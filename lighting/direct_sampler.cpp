@@ -101,19 +101,13 @@ void add(const LinearFit& fit, LinearFit& sum) {
   sum.residual = std::hypot(sum.residual, fit.residual);
 }
 
-/// A line by its own mean.
-LinearValue relative(const LinearFit& fit) {
-  const float mean = fit.line.value;
-  if (mean <= 0.0F) return {1.0F, 0.0F, 0.0F};
-  return {1.0F, fit.line.slope_u / mean, fit.line.slope_v / mean};
+/// Slopes by a mean.
+LinearValue relative(const LinearValue& line, double mean) {
+  if (mean <= 0.0) return {1.0F, 0.0F, 0.0F};
+  return {1.0F, static_cast<float>(line.slope_u / mean), static_cast<float>(line.slope_v / mean)};
 }
 
 }  // namespace
-
-LinearValue DirectSurvey::relative_slope() const {
-  if (total <= 0.0) return {1.0F, 0.0F, 0.0F};
-  return {1.0F, static_cast<float>(fit.line.slope_u / total), static_cast<float>(fit.line.slope_v / total)};
-}
 
 double DirectSurvey::sunless_residual() const {
   return std::sqrt(std::max(0.0, fit.residual * fit.residual - sun_residual * sun_residual));
@@ -130,6 +124,7 @@ struct DirectSampler::Places {
   std::array<PlaneSample, kPoints> samples;
   std::array<Point, kPoints> lifted;
   std::vector<std::array<double, kPoints>> moments;  ///< of each moment's sky [lux]
+  double total = 0.0;                                ///< the mean of all places [lux]
 };
 
 /// What a node sees through one opening, or of the open sky: sums over the rays of all batches.
@@ -219,7 +214,6 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate, bool roughl
   result.below.node = e;
   result.below.open_sky = false;
   result.below.minor = candidate.minor;
-  Places places = places_on(e, key);
   const mesh::ShaftEnd own = mesh::shaft_end(solution_.tree(), e);
   for (const std::uint32_t k : candidate.openings) {
     if (!in_view(e, own, k)) continue;
@@ -228,24 +222,27 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate, bool roughl
       continue;
     }
     if (scene().shafts->classify(own, ends_[k]) == mesh::Visibility::kHidden) continue;
-    if (!sees(e, static_cast<std::int32_t>(k))) continue;
-    result.below.openings.push_back(k);
-    survey_opening(e, k, mesh::hash(key, k), places, result.total);
+    if (sees(e, static_cast<std::int32_t>(k))) result.below.openings.push_back(k);
   }
   keep_few(e, key, result.below.minor);
   if (candidate.open_sky && scene().has_sky()) {
     result.below.minor_sky = most_light() <= allowed;
     result.below.open_sky = result.below.minor_sky || sees(e, kOpenSky);
-    if (result.below.open_sky && !result.below.minor_sky) survey_sky(e, mesh::hash(key, 0xFFFF), places, result.total);
   }
-  result.fit = fit_line(places.samples, true);
-  for (const auto& lux : places.moments) {
-    for (std::uint32_t i = 0; i < kPoints; ++i) places.samples[i].value = lux[i];
-    result.moment_slopes.push_back(relative(fit_line(places.samples, true)));
-  }
+  const Places places = look_out(result.below, key);
+  result.fit = fit_line(places.samples);
+  result.total = places.total;
   add_suns(candidate, result);
   add_luminaires(candidate, result);
   return result;
+}
+
+/// The light at places all over a node through the openings that matter to it, and from the open sky.
+DirectSampler::Places DirectSampler::look_out(const DirectCandidate& node, std::uint64_t key) const {
+  Places places = places_on(node.node, key);
+  for (const std::uint32_t k : node.openings) survey_opening(node.node, k, mesh::hash(key, k), places);
+  if (node.open_sky && !node.minor_sky) survey_sky(node.node, mesh::hash(key, 0xFFFF), places);
+  return places;
 }
 
 double DirectSampler::effect(const DirectSurvey& survey) const {
@@ -286,7 +283,22 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
     result.by_suns.variance += by_sun.variance;
   }
   result.groups = groups.lit();
+  find_slopes(survey, result);
   return result;
+}
+
+/// From directions of their own: a node is accepted because its survey has found light even on it, and the slopes of that survey are too
+/// small on the average.
+void DirectSampler::find_slopes(const DirectSurvey& survey, DirectMeasurement& result) const {
+  const ElementId e = survey.below.node;
+  Places places = look_out(survey.below, mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), 0x51095));
+  LinearFit fit = fit_line(places.samples);
+  add(survey.sources, fit);
+  result.slope = relative(fit.line, result.total);
+  for (const auto& lux : places.moments) {
+    for (std::uint32_t i = 0; i < kPoints; ++i) places.samples[i].value = lux[i];
+    result.moment_slopes.push_back(fit_line(places.samples).line);
+  }
 }
 
 /// Few rays for what hardly matters.
@@ -337,8 +349,7 @@ bool DirectSampler::in_view(ElementId e, const mesh::ShaftEnd& own, std::uint32_
   return in_front(own, ends_[k]) && in_front(ends_[k], own);
 }
 
-void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places,
-                                   double& total) const {
+void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places) const {
   const Vector& normal = solution_.tree().normal(e);
   const SobolPoints numbers(key);
   std::vector<double> moments(places.moments.size());
@@ -355,13 +366,13 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
       follow(scene(), places.lifted[i], s.direction, 1.0F, rule_of(static_cast<std::int32_t>(k)), collector);
       const double lux = weight * (collector.sky_lux + collector.guess_lux);
       places.samples[i].value += lux;
-      total += lux / kPoints;
+      places.total += lux / kPoints;
       for (std::size_t m = 0; m < moments.size(); ++m) places.moments[m][i] += weight * moments[m];
     }
   }
 }
 
-void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, double& total) const {
+void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places) const {
   const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
   const SobolPoints numbers(key);
   std::vector<double> moments(places.moments.size());
@@ -374,7 +385,7 @@ void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places, d
       follow(scene(), places.lifted[i], d, 1.0F, rule_of(kOpenSky), collector);
       places.samples[i].value += collector.sky_lux / kDirections;
       for (std::size_t m = 0; m < moments.size(); ++m) places.moments[m][i] += moments[m] / kDirections;
-      total += collector.sky_lux / (kDirections * kPoints);
+      places.total += collector.sky_lux / (kDirections * kPoints);
     }
   }
 }
@@ -386,6 +397,7 @@ void DirectSampler::add_suns(const DirectCandidate& candidate, DirectSurvey& res
     const SunSurvey sun = suns_[k].survey(candidate.node, known);
     result.below.suns.push_back(sun.view);
     add(sun.fit, result.fit);
+    add(sun.fit, result.sources);
     result.sun_residual = std::hypot(result.sun_residual, sun.fit.residual);
     result.total += sun.mean_lux;
   }
@@ -395,6 +407,7 @@ void DirectSampler::add_luminaires(const DirectCandidate& candidate, DirectSurve
   LuminaireSurvey survey = luminaires_.survey(candidate.node, candidate.luminaires);
   result.below.luminaires = std::move(survey.views);
   add(survey.fit, result.fit);
+  add(survey.fit, result.sources);
   result.total += survey.mean_lux;
 }
 

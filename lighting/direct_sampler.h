@@ -32,14 +32,11 @@ struct DirectCandidate {
 /// is left to measure().
 struct DirectSurvey {
   LinearFit fit;              ///< of sky, sun, luminaires and the guess of what lies beyond openings
-  double total = 0.0;         ///< the mean of these [lux]
+  LinearFit sources;          ///< of sun and luminaires alone
+  double total = 0.0;         ///< the mean of all [lux]
   double sun_residual = 0.0;  ///< the part of the fit's that is of suns [lux]
-  /// Of several moments the sky's alone, by the mean of each [1/m].
-  std::vector<LinearValue> moment_slopes;
-  DirectCandidate below;  ///< what the node, or its children, need to look at
+  DirectCandidate below;      ///< what the node, or its children, need to look at
 
-  /// Of the illuminance over the node, per unit of its mean [1/m].
-  [[nodiscard]] LinearValue relative_slope() const;
   /// What the line misses of all light but that of suns [lux].
   [[nodiscard]] double sunless_residual() const;
 };
@@ -54,6 +51,10 @@ struct DirectMeasurement {
   double noise = 0.0;     ///< standard error of total but for suns [lux]
   ReplicateMean by_suns;  ///< the part of total that comes straight from suns [lux]
   std::vector<SeenSurface> beyond;
+  /// Of the illuminance over the node, per unit of its mean [1/m].
+  LinearValue slope;
+  /// Of the skies of several moments [lux/m]; their values are not used.
+  std::vector<LinearValue> moment_slopes;
 };
 
 /// Looks from nodes at the sky, through openings, at the sun and at luminaires.
@@ -89,10 +90,12 @@ class DirectSampler {
   [[nodiscard]] Probe probe(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
   [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
-  void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places, double& total) const;
-  void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places, double& total) const;
+  [[nodiscard]] Places look_out(const DirectCandidate& node, std::uint64_t key) const;
+  void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places) const;
+  void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places) const;
   void add_suns(const DirectCandidate& candidate, DirectSurvey& result) const;
   void add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const;
+  void find_slopes(const DirectSurvey& survey, DirectMeasurement& result) const;
   void extend(mesh::ElementId e, std::uint32_t until, Part& part) const;
   void improve(mesh::ElementId e, std::span<Part> parts) const;
   [[nodiscard]] Start start(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;

@@ -17,16 +17,20 @@ namespace clerestory::lighting {
 struct HemisphereView {
   /// Surfaces that shine by themselves are left out, but in panes: they have links of their own.
   std::vector<SeenSurface> seen;
+  /// Where on the node the rays begin, from its centroid along its axes [m]; one for each of `seen`.
+  std::vector<std::array<float, 2>> from;
   double mirrored_sky_lux = 0.0;            ///< sky seen in panes
   std::vector<GroupLight> mirrored_groups;  ///< the same by group, where groups are told apart
   std::uint32_t rays = 0;
 
-  /// Mean illuminance by the radiosities of a solution as they stand, and its standard error [lux].
+  /// Illuminance by the radiosities of a solution as they stand.
   struct Estimate {
     double mean_lux = 0.0;
-    double error_lux = 0.0;
+    LinearValue slope;            ///< of the line that fits best over the node, per unit of the mean [1/m]
+    double error_lux = 0.0;       ///< standard error of the mean
+    double line_error_lux = 0.0;  ///< root of the mean square over the node of what the line is wrong by, for its mean
   };
-  [[nodiscard]] Estimate estimate(const Solution& solution) const;
+  [[nodiscard]] Estimate estimate(const Solution& solution, mesh::ElementId node) const;
 
   /// Where the rays of each of the independent sets begin in `seen` [kSets + 1].
   static constexpr std::size_t kSets = 4;

@@ -22,9 +22,9 @@ struct LinearFit {
   double residual = 0.0;  ///< RMS of what the line misses, per degree of freedom
 };
 
-/// Weighted least-squares plane. The constant where the samples do not span a plane, and for noisy values where slopes explain less
-/// than half of the variance.
-inline LinearFit fit_line(std::span<const PlaneSample> samples, bool noisy) {
+/// Weighted least-squares plane; the constant where the samples do not span one. Noisy slopes are kept as they are: weak ones dropped, many
+/// pieces side by side would all be too flat.
+inline LinearFit fit_line(std::span<const PlaneSample> samples) {
   double mu = 0.0;
   double mv = 0.0;
   double mean = 0.0;
@@ -59,7 +59,6 @@ inline LinearFit fit_line(std::span<const PlaneSample> samples, bool noisy) {
   const double gu = (uf * vv - vf * uv) / determinant;
   const double gv = (vf * uu - uf * uv) / determinant;
   const double left = std::max(0.0, ff - gu * uf - gv * vf);
-  if (noisy && left > 0.5 * ff) return fit;
   fit.line.slope_u = static_cast<float>(gu);
   fit.line.slope_v = static_cast<float>(gv);
   fit.residual = std::sqrt(left * n / (n - 3.0));

@@ -257,7 +257,7 @@ View look(const Scene& scene, const mesh::ElementTree& tree, ElementId from, Ele
     shares.add(std::span(passed).first(each));
   }
   shares.tell(view);
-  view.fit = fit_line(std::span(samples).first(places.count), rays != RaysFrom::kNobody);
+  view.fit = fit_line(std::span(samples).first(places.count));
   return view;
 }
 

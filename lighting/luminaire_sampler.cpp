@@ -48,7 +48,7 @@ LuminaireSurvey LuminaireSampler::survey(ElementId e, std::span<const LuminaireV
     const mesh::Vector d = p - tree.centroid(e);
     samples.push_back({dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), lux(e, result.views, p, none), 1.0 / places});
   }
-  result.fit = fit_line(samples, true);
+  result.fit = fit_line(samples);
   result.mean_lux = result.fit.line.value;
   return result;
 }

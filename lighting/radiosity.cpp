@@ -344,7 +344,8 @@ class Solver {
     arrivals_ = {};
     std::vector<Link> looked;
     for (const Looker& looker : lookers_) {
-      const std::vector<Link> links = links_to_seen(solution_, looker.node, looker.view.seen, {});
+      const LinearValue slope = looker.view.estimate(solution_, looker.node).slope;
+      const std::vector<Link> links = links_to_seen(solution_, looker.node, looker.view.seen, slope);
       looked.insert(looked.end(), links.begin(), links.end());
     }
     arrivals_ = Arrivals({links_, opening_links_, looked}, solution_.tree(), with_errors);
@@ -385,8 +386,8 @@ class Solver {
   /// What roots see by rays is wrong by their noise.
   void add_errors_of_looks() {
     for (const Looker& looker : lookers_) {
-      const double error = looker.view.estimate(solution_).error_lux;
-      solution_.add_error(looker.node, error * error, 0.0);
+      const HemisphereView::Estimate e = looker.view.estimate(solution_, looker.node);
+      solution_.add_error(looker.node, e.error_lux * e.error_lux, e.line_error_lux * e.line_error_lux);
     }
   }
 

@@ -119,6 +119,12 @@ float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t 
   return emission + scene_->side_reflectance(side)[channel] * lux;
 }
 
+float Solution::luminous_radiosity_at(ElementId e, const mesh::Point& point) const {
+  float all = 0.0F;
+  for (std::size_t c = 0; c < channels(); ++c) all += scene_->channel_weights[c] * radiosity_at(e, point, c, true);
+  return all;
+}
+
 void Solution::push(ElementId e, const ElementId* parent) {
   const std::size_t n = channels();
   for (std::size_t c = 0; c < n; ++c) {

@@ -149,6 +149,8 @@ class Solution {
   /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
   [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
                                    bool with_emission) const;
+  /// The same of all channels by their weights, with emission [lm/m²].
+  [[nodiscard]] float luminous_radiosity_at(mesh::ElementId e, const mesh::Point& point) const;
 
   /// Hands irradiance down to the elements and radiosity up to the roots. Returns the change of reflected flux that this made,
   /// as a share of all reflected flux.

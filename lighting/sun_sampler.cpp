@@ -55,7 +55,7 @@ SunSurvey SunSampler::survey(ElementId e, SunView known) const {
   if (most <= 0.0) return result;
   for (PlaneSample& s : samples) s.weight = 1.0 / static_cast<double>(samples.size());
   result.view = least < kEven * most ? SunView::kPartly : SunView::kWhole;
-  result.fit = fit_line(samples, true);
+  result.fit = fit_line(samples);
   result.mean_lux = result.fit.line.value;
   return result;
 }

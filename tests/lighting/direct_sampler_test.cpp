@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "lighting/form_factor.h"
+#include "lighting/sampling.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/shapes.h"
 
@@ -57,8 +61,8 @@ TEST(DirectSampler, AnEvenSkyIsTheSameAllOverOpenGroundAndHasNoNoise) {
   EXPECT_TRUE(survey.below.open_sky);
   EXPECT_NEAR(survey.total, 10'000.0, 1e-2);
   EXPECT_NEAR(survey.fit.residual, 0.0, 1e-2);
-  EXPECT_NEAR(survey.relative_slope().slope_u, 0.0F, 1e-6F);
   const DirectMeasurement measured = ground.sampler.measure(survey);
+  EXPECT_NEAR(measured.slope.slope_u, 0.0F, 1e-6F);
   EXPECT_NEAR(measured.received, 10'000.0, 1e-2);
   EXPECT_EQ(measured.received, measured.total);
   EXPECT_NEAR(measured.noise, 0.0, 1e-2);
@@ -72,7 +76,7 @@ TEST(DirectSampler, WithoutASkyNothingIsSeenThroughOpenings) {
   EXPECT_THAT(survey.below.openings, IsEmpty());
   EXPECT_EQ(survey.total, 0.0);
   EXPECT_EQ(room.sampler.effect(survey), 0.0);
-  EXPECT_EQ(survey.relative_slope().slope_u, 0.0F);
+  EXPECT_EQ(room.sampler.measure(survey).slope.slope_u, 0.0F);
   EXPECT_EQ(room.sampler.measure(survey).total, 0.0);
 }
 
@@ -94,6 +98,41 @@ TEST(DirectSampler, AFloorReceivesTheShareOfTheSkyThatItsFormFactorToTheOpenCeil
   EXPECT_NEAR(measured.received, 10'000.0 * kFloorToCeiling, 3.0 * measured.noise);
   EXPECT_NEAR(measured.total, measured.received, 1e-9 * measured.received) << "there is nothing above but sky";
   EXPECT_THAT(measured.beyond, IsEmpty());
+}
+
+TEST(DirectSampler, TheSlopesOfWhatIsAcceptedAreThoseOfTheLightOnTheAverage) {
+  const Sampled room(open_room());
+  const mesh::ElementTree& tree = room.solution.tree();
+  const mesh::ElementId wall = room.root("wall");
+  const DirectSurvey survey = room.survey("wall");
+  // The best line's slope upwards, by the exact light at places all over the wall.
+  const Opening& ceiling = room.scene.openings.at(0);
+  const auto sky_lux = [&](const mesh::Point& p) {
+    double factor = 0.0;
+    for (const auto& t : ceiling.triangles) {
+      const std::array<mesh::OutlineEdge, 3> down{{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}};
+      factor += point_form_factor(p, tree.normal(wall), down, -ceiling.outward);
+    }
+    return 10'000.0 * factor;
+  };
+  const SobolPoints numbers(1);
+  double rise = 0.0;
+  double square = 0.0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    const mesh::Point p = tree.sample(wall, numbers.at(i, 0), numbers.at(i, 1));
+    const double height = p.z - tree.centroid(wall).z;
+    rise += height * sky_lux(p);
+    square += height * height;
+  }
+  constexpr int kSeeds = 200;
+  double mean = 0.0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const DirectSampler sampler(room.solution, room.importance, 1.0, seed);
+    const DirectMeasurement measured = sampler.measure(survey);
+    mean += measured.total *
+            (measured.slope.slope_u * tree.axes(wall).u.z + measured.slope.slope_v * tree.axes(wall).v.z) / kSeeds;
+  }
+  EXPECT_NEAR(mean, rise / square, 0.04 * rise / square);
 }
 
 }  // namespace

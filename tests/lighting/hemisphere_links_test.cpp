@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "lighting/form_factor.h"
+#include "lighting/sampling.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/lamps.h"
 #include "tests/support/path_tracer.h"
@@ -15,6 +18,7 @@ namespace {
 
 using clerestory::test::pane_optics;
 using mesh::ElementId;
+using mesh::OutlineEdge;
 
 constexpr std::uint32_t kRays = 128;
 constexpr std::uint64_t kSeeds = 128;
@@ -129,7 +133,8 @@ TEST(HemisphereView, EstimateIsUnbiasedAndItsErrorCovers) {
   double stated = 0.0;
   int inside = 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-    const auto e = look_around(stage.solution, stage.root("floor"), kRays, seed).estimate(stage.solution);
+    const auto e =
+        look_around(stage.solution, stage.root("floor"), kRays, seed).estimate(stage.solution, stage.root("floor"));
     const double off = e.mean_lux - kExpected;
     sum += off / kSeeds;
     square += off * off / kSeeds;
@@ -148,10 +153,46 @@ TEST(HemisphereView, EstimateIsUnbiasedAndItsErrorCovers) {
 TEST(HemisphereView, EstimateFollowsTheRadiositiesAsTheyStand) {
   LitCeiling stage;
   const HemisphereView view = look_around(stage.solution, stage.root("floor"), kRays, 1);
-  const double before = view.estimate(stage.solution).mean_lux;
+  const double before = view.estimate(stage.solution, stage.root("floor")).mean_lux;
   stage.solution.direct(stage.root("ceiling"))[0].value *= 3.0F;
   stage.solution.push_pull();
-  EXPECT_NEAR(view.estimate(stage.solution).mean_lux, 3.0 * before, 1e-4 * before);
+  EXPECT_NEAR(view.estimate(stage.solution, stage.root("floor")).mean_lux, 3.0 * before, 1e-4 * before);
+}
+
+TEST(HemisphereView, ItsLineRunsAsTheLightDoesOnTheAverage) {
+  const LitCeiling stage;
+  const ElementId wall = stage.root("wall");
+  const mesh::ElementTree& tree = stage.solution.tree();
+  const double up_u = tree.axes(wall).u.z;
+  const double up_v = tree.axes(wall).v.z;
+  std::array<OutlineEdge, 3> scratch;
+  const ElementId ceiling = stage.root("ceiling");
+  const auto outline = tree.outline(ceiling, scratch);
+  // The line's slope upwards, by the exact light at places all over the wall.
+  double rise = 0.0;
+  double square = 0.0;
+  constexpr int kPlaces = 64;
+  const SobolPoints numbers(1);
+  for (std::uint32_t i = 0; i < kPlaces * kPlaces; ++i) {
+    const mesh::Point p = tree.sample(wall, numbers.at(i, 0), numbers.at(i, 1));
+    const double height = p.z - tree.centroid(wall).z;
+    rise += height * 100.0 * point_form_factor(p, tree.normal(wall), outline, tree.normal(ceiling));
+    square += height * height;
+  }
+  double found = 0.0;
+  double scatter = 0.0;
+  double stated = 0.0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const auto e = look_around(stage.solution, wall, kRays, seed).estimate(stage.solution, wall);
+    const double slope = e.mean_lux * (e.slope.slope_u * up_u + e.slope.slope_v * up_v);
+    found += slope / kSeeds;
+    scatter += std::pow(slope - rise / square, 2.0) / kSeeds;
+    stated += e.line_error_lux * e.line_error_lux / kSeeds;
+  }
+  EXPECT_NEAR(found, rise / square, 3.0 * std::sqrt(scatter / kSeeds));
+  EXPECT_LT(std::sqrt(scatter), 0.5 * rise / square);
+  // What is stated is of both directions over the wall.
+  EXPECT_GT(stated, scatter * square / (kPlaces * kPlaces));
 }
 
 TEST(HemisphereView, LinksFromItBringTheEstimate) {
@@ -161,7 +202,7 @@ TEST(HemisphereView, LinksFromItBringTheEstimate) {
   for (const Link& link : links_to_seen(stage.solution, stage.root("floor"), view.seen, {})) {
     lux += link.factor * stage.solution.radiosity(link.source.element())[0];
   }
-  const double estimate = view.estimate(stage.solution).mean_lux;
+  const double estimate = view.estimate(stage.solution, stage.root("floor")).mean_lux;
   EXPECT_NEAR(lux, estimate, 1e-4 * estimate);
 }
 

@@ -114,7 +114,7 @@ TEST(LinksToSeen, KeepTheReceiverItsSlopeAndTheSumOfFactors) {
   EXPECT_TRUE(link.by_rays);
 }
 
-TEST(SeenSurfaces, ARayBringsTheMeanRadiosityOfThePartThatItEndsOn) {
+TEST(SeenSurfaces, ARayBringsTheRadiosityOfThePartThatItEndsOnAtItsEnd) {
   Facing facing;
   const ElementId lower = facing.root("lower");
   const auto rays = facing.seen(1, 1.0);
@@ -123,16 +123,17 @@ TEST(SeenSurfaces, ARayBringsTheMeanRadiosityOfThePartThatItEndsOn) {
   const ElementId part = facing.solution.element_at(rays[0].node, rays[0].at);
   EXPECT_EQ(facing.solution.tree().parent(part), lower);
   EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays),
-                   static_cast<double>(rays[0].factor) * facing.solution.radiosity_mean(part));
+                   static_cast<double>(rays[0].factor) * facing.solution.luminous_radiosity_at(part, rays[0].at));
+  EXPECT_FLOAT_EQ(facing.solution.luminous_radiosity_at(part, rays[0].at),
+                  facing.solution.radiosity_at(part, rays[0].at, 0, true));
 }
 
 TEST(SeenSurfaces, RaysAddUp) {
   const Facing facing;
   const auto rays = facing.seen(20, 1.0);
-  double factors = 0.0;
-  for (const SeenSurface& ray : rays) factors += ray.factor;
-  EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays),
-                   factors * facing.solution.radiosity_mean(facing.root("lower")));
+  double each = 0.0;
+  for (std::size_t i = 0; i < rays.size(); ++i) each += illuminance_by(facing.solution, std::span(rays).subspan(i, 1));
+  EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays), each);
 }
 
 TEST(SeenSurfaces, WithoutElementsGiveNothing) {
