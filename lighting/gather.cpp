@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "lighting/dark_share.h"
 #include "lighting/emitters.h"
@@ -48,12 +49,14 @@ constexpr double kManyRays = 8.0;
 constexpr double kManyRaysUnderSun = 128.0;
 
 using Replicates = std::array<double, kReplicates>;
+using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
 /// One part of a sensor's light: sums over rays, a replicate each.
 struct Part : SensorPart {
   bool clear = false;  ///< nothing stands between the sensor and the opening
   Replicates sums{};
   Replicates norms{};  ///< what the sums are shares of
+  ErrorSums wrong{};   ///< what the light of surfaces may be wrong by in each of the samples, summed up over all rays
 
   [[nodiscard]] ReplicateMean estimate() const {
     Replicates values{};
@@ -80,13 +83,10 @@ std::uint32_t first_rays(double accuracy) {
   return 1U << static_cast<unsigned>(std::clamp(doublings, 0.0, 8.0));
 }
 
-using ErrorSums = std::array<double, SolutionErrors::kSamples>;
-
 struct SensorState {
   std::vector<Part> parts;
   double exact_lux = 0.0;           ///< proven views of emitters, luminaires, a sun without a disc
   std::vector<GroupLight> exact;    ///< the same by group, where groups are told apart
-  ErrorSums wrong{};                ///< what the light that rays around have met may be wrong by, summed up
   double luminaires_lux = 0.0;      ///< error that luminaires' areas make here
   double discretisation_lux = 0.0;  ///< this, and what the solution's own errors make
 
@@ -111,9 +111,9 @@ struct SensorState {
 /// Adds up the light along a ray.
 struct Looker {
   const Solution* solution;
+  const SolutionErrors* errors;
   double lux = 0.0;
-  const SolutionErrors* errors = nullptr;
-  ErrorSums* wrong = nullptr;  ///< what the light may be wrong by, where asked for
+  ErrorSums wrong{};  ///< what the light of surfaces may be wrong by
 
   void surface(const SurfacePoint& seen, float weight, bool with_emission) {
     const ElementId e = solution->element_at(seen.side, seen.region, seen.at);
@@ -124,9 +124,8 @@ struct Looker {
       b += scene.channel_weights[c] * solution->radiosity_at(e, seen.at, c, with_emission);
     }
     lux += static_cast<double>(weight) * b;
-    if (wrong == nullptr) return;
     const SolutionErrors::Samples samples = errors->radiosity(*solution, e, seen.at);
-    for (std::size_t k = 0; k < samples.size(); ++k) (*wrong)[k] += static_cast<double>(weight) * samples[k];
+    for (std::size_t k = 0; k < samples.size(); ++k) wrong[k] += static_cast<double>(weight) * samples[k];
   }
   void sky(const Vector& direction, float weight, bool) {
     lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
@@ -137,14 +136,14 @@ struct Looker {
 struct PartTaker {
   const Solution* solution;
   const SolutionErrors* errors;
-  ErrorSums* wrong;  ///< where asked for
   Part* part;
 
   template <class Trace, class Scale>
   void ray(std::size_t r, const Trace& trace, const Scale& scale) {
-    Looker looker{solution, 0.0, errors, wrong};
+    Looker looker{solution, errors};
     trace(looker);
     part->sums[r] += scale(looker.lux);
+    for (std::size_t k = 0; k < looker.wrong.size(); ++k) part->wrong[k] += scale(looker.wrong[k]);
     part->norms[r] += 1.0;
   }
   void miss(std::size_t r) { part->norms[r] += 1.0; }
@@ -194,10 +193,10 @@ class Gatherer {
     const std::uint32_t through = roughly ? 1 : std::max(4U, rays);
     for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, through, sensor, at, receiver, state);
     Part hemisphere;
-    extend(hemisphere, rays, sensor, at, receiver, &state.wrong);
+    extend(hemisphere, rays, sensor, at, receiver);
     // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
     while (!roughly && hemisphere.lit() < kReplicates / 2 && hemisphere.rays < kMostDarkRays) {
-      extend(hemisphere, 2 * hemisphere.rays, sensor, at, receiver, &state.wrong);
+      extend(hemisphere, 2 * hemisphere.rays, sensor, at, receiver);
     }
     state.parts.push_back(hemisphere);
     state.luminaires_lux = by_luminaires.error;
@@ -213,7 +212,7 @@ class Gatherer {
     for (Part& p : state.parts) {
       while (p.clear && !should_finish() && p.rays < kMostClearRays &&
              kStudent * std::sqrt(p.variance()) > clear_goal) {
-        extend(p, 2 * p.rays, sensor, at, receiver, nullptr);
+        extend(p, 2 * p.rays, sensor, at, receiver);
       }
     }
     while (state.cautious_error(many_rays_) > sampling_goal(state, allowed_lux) && !should_finish()) {
@@ -228,9 +227,8 @@ class Gatherer {
         }
       }
       if (best == nullptr) return;
-      const bool around = best == &state.parts.back();
-      extend(*best, 2 * best->rays, sensor, at, receiver, around ? &state.wrong : nullptr);
-      if (around) settle_discretisation(state);
+      extend(*best, 2 * best->rays, sensor, at, receiver);
+      settle_discretisation(state);
     }
   }
 
@@ -247,9 +245,8 @@ class Gatherer {
     return false;
   }
 
-  void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Receiver& receiver,
-              ErrorSums* wrong) const {
-    PartTaker taker{&solution_, wrong != nullptr ? &errors_ : nullptr, wrong, &part};
+  void extend(Part& part, std::uint32_t until, std::size_t sensor, const Point& at, const Receiver& receiver) const {
+    PartTaker taker{&solution_, &errors_, &part};
     rays_.cast(part, until, {sensor, at, receiver}, taker);
     part.rays = until;
   }
@@ -266,7 +263,7 @@ class Gatherer {
     }
     Part part;
     part.kind = Part::Kind::kSun;
-    extend(part, std::max(4U, rays), sensor, at, receiver, nullptr);
+    extend(part, std::max(4U, rays), sensor, at, receiver);
     state.parts.push_back(part);
   }
 
@@ -285,7 +282,7 @@ class Gatherer {
     part.which = k;
     part.full_lux = emitter.exitance * view.factor;
     part.most_lux = emitter.exitance * seen.factor;
-    extend(part, std::max(8U, rays), sensor, at, receiver, nullptr);
+    extend(part, std::max(8U, rays), sensor, at, receiver);
     state.parts.push_back(part);
   }
 
@@ -296,7 +293,7 @@ class Gatherer {
     Part part;
     part.kind = Part::Kind::kOpening;
     part.which = k;
-    extend(part, rays, sensor, at, receiver, nullptr);
+    extend(part, rays, sensor, at, receiver);
     if (part.lit() == 0) {
       part.most_lux = most_through(scene(), opening_ends_[k], at, receiver);
       if (part.most_lux <= 0.0) return;
@@ -306,12 +303,18 @@ class Gatherer {
     state.parts.push_back(part);
   }
 
-  /// What the solution's errors make at a sensor, by all that rays around have met: errors of far elements cancel out only over many rays.
+  /// What the solution's errors make at a sensor, by all surfaces that its rays have met: errors of far elements cancel out only over many
+  /// rays.
   static void settle_discretisation(SensorState& state) {
+    ErrorSums wrong{};
+    for (const Part& part : state.parts) {
+      const double norm = std::accumulate(part.norms.begin(), part.norms.end(), 0.0);
+      if (norm <= 0.0) continue;
+      for (std::size_t k = 0; k < wrong.size(); ++k) wrong[k] += part.wrong[k] / norm;
+    }
     double square = 0.0;
-    for (const double sum : state.wrong) square += sum * sum / static_cast<double>(state.wrong.size());
-    const double rays = static_cast<double>(state.parts.back().rays) * kReplicates;
-    state.discretisation_lux = std::hypot(kStudentOfSamples * std::sqrt(square) / rays, state.luminaires_lux);
+    for (const double lux : wrong) square += lux * lux / static_cast<double>(wrong.size());
+    state.discretisation_lux = std::hypot(kStudentOfSamples * std::sqrt(square), state.luminaires_lux);
   }
 
   const Solution& solution_;
