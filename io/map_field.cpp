@@ -24,14 +24,35 @@ class BilinearQuad {
       : a_(q[0]),
         u_{q[1].x - q[0].x, q[1].y - q[0].y},
         v_{q[3].x - q[0].x, q[3].y - q[0].y},
-        twist_{q[0].x - q[1].x + q[2].x - q[3].x, q[0].y - q[1].y + q[2].y - q[3].y},
-        steps_(std::abs(twist_.x) + std::abs(twist_.y) < kSlack ? 1 : 5) {}
+        twist_{q[0].x - q[1].x + q[2].x - q[3].x, q[0].y - q[1].y + q[2].y - q[3].y} {
+    const double determinant = u_.x * v_.y - u_.y * v_.x;
+    if (std::abs(twist_.x) + std::abs(twist_.y) >= kSlack || determinant == 0.0) return;
+    parallelogram_ = true;
+    to_u_ = {v_.y / determinant, -v_.x / determinant};
+    to_v_ = {-u_.y / determinant, u_.x / determinant};
+  }
 
-  /// The (u, v) of a place; nothing when it lies outside. Newton's method: one step solves a parallelogram.
+  /// The (u, v) of a place; nothing when it lies outside.
   [[nodiscard]] std::optional<Pixel> place(Pixel p) const {
+    if (!parallelogram_) return place_by_steps(p);
+    const Pixel r{p.x - a_.x, p.y - a_.y};
+    return inside({r.x * to_u_.x + r.y * to_u_.y, r.x * to_v_.x + r.y * to_v_.y});
+  }
+
+ private:
+  static constexpr int kSteps = 5;
+
+  static std::optional<Pixel> inside(Pixel at) {
+    const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
+    if (!in_unit(at.x) || !in_unit(at.y)) return std::nullopt;
+    return Pixel{std::clamp(at.x, 0.0, 1.0), std::clamp(at.y, 0.0, 1.0)};
+  }
+
+  /// Newton's method.
+  [[nodiscard]] std::optional<Pixel> place_by_steps(Pixel p) const {
     double u = 0.5;
     double v = 0.5;
-    for (int step = 0; step < steps_; ++step) {
+    for (int step = 0; step < kSteps; ++step) {
       const double rx = p.x - (a_.x + u * u_.x + v * v_.x + u * v * twist_.x);
       const double ry = p.y - (a_.y + u * u_.y + v * v_.y + u * v * twist_.y);
       const Pixel along_u{u_.x + v * twist_.x, u_.y + v * twist_.y};
@@ -41,17 +62,16 @@ class BilinearQuad {
       u += (rx * along_v.y - ry * along_v.x) / determinant;
       v += (along_u.x * ry - along_u.y * rx) / determinant;
     }
-    const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
-    if (!in_unit(u) || !in_unit(v)) return std::nullopt;
-    return Pixel{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
+    return inside({u, v});
   }
 
- private:
   Pixel a_;
   Pixel u_;
   Pixel v_;
   Pixel twist_;
-  int steps_;
+  bool parallelogram_ = false;  ///< the inverse is a matrix then
+  Pixel to_u_;
+  Pixel to_v_;
 };
 
 /// Values on a raster finer than the picture; kNothing where there are none.

@@ -135,7 +135,7 @@ Rgb map_colour(double position) {
   const std::size_t below = std::min(static_cast<std::size_t>(steps), kColours.size() - 2);
   const double t = steps - static_cast<double>(below);
   const auto mix = [t](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(std::lrint((1.0 - t) * a + t * b));
+    return static_cast<std::uint8_t>((1.0 - t) * a + t * b + 0.5);  // rounds: no call for each pixel of a map
   };
   const Rgb a = kColours[below];
   const Rgb b = kColours[below + 1];

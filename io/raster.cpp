@@ -19,6 +19,9 @@ namespace {
 /// Rows of samples within a pixel, for the edges of polygons that are nearly level.
 constexpr int kScanlinesPerPixel = 4;
 
+/// Of zlib [0 … 9]: maps are drawn to be looked at, and a quarter more bytes cost less than the time of level 5.
+constexpr int kCompression = 2;
+
 /// First and last pixel whose centre may lie in [low, high], within [0, size).
 struct PixelRange {
   PixelRange(double low, double high, int size)
@@ -129,7 +132,11 @@ Raster::Raster(int width, int height, Rgb background)
 
 void Raster::blend(int x, int y, Rgb colour, double coverage) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_ || coverage <= 0.0) return;
-  const double share = std::min(coverage, 1.0);
+  if (coverage >= 1.0) {
+    pixels_[index(x, y)] = colour;
+    return;
+  }
+  const double share = coverage;
   const auto mix = [share](std::uint8_t below, std::uint8_t above) {
     return static_cast<std::uint8_t>(std::lrint((1.0 - share) * below + share * above));
   };
@@ -169,6 +176,7 @@ std::string Raster::png() const {
   }
   vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(kCompression);
   writer->SetInputData(image);
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();

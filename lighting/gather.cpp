@@ -33,7 +33,8 @@ constexpr double kAimed = 0.85;
 constexpr double kLeastSampling = 0.5;
 /// The same for the samples of the solution's errors, of which there are eight.
 constexpr double kStudentOfSamples = 2.37 / 2.0;
-constexpr std::uint32_t kMostRays = 65536;  ///< a replicate and part
+constexpr double kMostFirstDoublings = 5.0;  ///< of the rays that all sensors begin with
+constexpr std::uint32_t kMostRays = 65536;   ///< a replicate and part
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;
 constexpr std::uint32_t kMostClearRays = 256;
@@ -77,10 +78,11 @@ struct Part : SensorPart {
   }
 };
 
-/// Rays a replicate to begin with: one at an accuracy of 8 %, and so many more for a better one that the error falls with it.
+/// Rays a replicate to begin with: one at an accuracy of 8 %, and so many more for a better one that the error falls with it, up to 32.
+/// By these the errors tell what more a sensor needs.
 std::uint32_t first_rays(double accuracy) {
   const double doublings = std::round(1.5 * std::log2(0.08 / accuracy));
-  return 1U << static_cast<unsigned>(std::clamp(doublings, 0.0, 8.0));
+  return 1U << static_cast<unsigned>(std::clamp(doublings, 0.0, kMostFirstDoublings));
 }
 
 struct SensorState {
