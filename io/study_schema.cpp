@@ -543,7 +543,8 @@ constexpr StudyKey kKeys[] = {
      .meaning =
          "What is done: requirements of the built-in list ([en12464.md](en12464.md)). Not given: those stated here.",
      .example = "\"office-writing\"",
-     .words = "corridor stairs office-filing office-writing office-drawing office-cad meeting reception classroom"},
+     .words = "corridor stairs canteen washroom office-filing office-writing office-drawing office-cad meeting "
+              "reception archive classroom lecture-hall"},
     {.path = "tasks[].illuminance",
      .type = kNumber,
      .unit = "lx",
