@@ -15,6 +15,7 @@
 #include "lighting/run.h"
 #include "tools/exit_status.h"
 #include "tools/inspect_weather.h"
+#include "tools/picture_line.h"
 #include "tools/standard_output.h"
 #include "tools/terminal_progress.h"
 #include "tools/with_file.h"
@@ -32,7 +33,7 @@ int inspect_photometry(const Options& options) {
   if (options.json) {
     print(io::photometry_json(photometry, options.study.string(), kVersion));
   } else if (!options.quiet) {
-    print(io::photometry_text(photometry, options.study.string()));
+    print(io::photometry_text(photometry, options.study.string()) + picture_line(options, "its polar diagram"));
   }
   return kDone;
 }

@@ -6,6 +6,7 @@
 #include "io/weather_report.h"
 #include "io/whole_file.h"
 #include "tools/exit_status.h"
+#include "tools/picture_line.h"
 #include "tools/standard_output.h"
 
 namespace clerestory::tools {
@@ -16,7 +17,8 @@ int inspect_weather(const Options& options) {
   if (options.json) {
     print(io::weather_json(weather, options.study.string(), kVersion));
   } else if (!options.quiet) {
-    print(io::weather_text(weather, options.study.string()));
+    print(io::weather_text(weather, options.study.string()) +
+          picture_line(options, "the hours and days of its year in false colour"));
   }
   return kDone;
 }
