@@ -19,7 +19,7 @@ namespace {
 /// Rows of samples within a pixel, for the edges of polygons that are nearly level.
 constexpr int kScanlinesPerPixel = 4;
 
-/// Of zlib [0 … 9]: maps are drawn to be looked at, and a quarter more bytes cost less than the time of level 5.
+/// Of zlib [0 … 9]: a quarter more bytes than at level 5, in less time.
 constexpr int kCompression = 2;
 
 /// First and last pixel whose centre may lie in [low, high], within [0, size).
