@@ -28,7 +28,7 @@ struct HemisphereView {
     double mean_lux = 0.0;
     LinearValue slope;            ///< of the line that fits best over the node, per unit of the mean [1/m]
     double error_lux = 0.0;       ///< standard error of the mean
-    double line_error_lux = 0.0;  ///< root of the mean square over the node of what the line is wrong by, for its mean
+    double line_error_lux = 0.0;  ///< standard error of the line's rise and fall about that mean, RMS over the node
   };
   [[nodiscard]] Estimate estimate(const Solution& solution, mesh::ElementId node) const;
 
