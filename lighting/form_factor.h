@@ -19,8 +19,8 @@ double point_form_factor(const mesh::Point& point, const mesh::Vector& normal,
                          std::span<const mesh::OutlineEdge> outline, const mesh::Vector& outline_normal);
 
 /// The exchange area A_r F_rs = A_s F_sr of two planar polygons without occluders [m²], by the double contour integral
-/// (1/2π) Σ Σ e_r·e_s ∬ ln r [Sparrow 1963; Schröder, Hanrahan 1993], the inner integral in closed form and the outer by
-/// Gauss-Legendre points graded towards the ends of edges that come close. Relative accuracy better than 1e-5.
+/// (1/2π) Σ Σ e_r·e_s ∬ ln r [Sparrow 1963; Schröder, Hanrahan 1993], pair by pair of edges (edge_pair.h). Of random pairs of triangles 95 in 100
+/// are right to 1e-6 of the exchange area; of what is a million times smaller than the pieces the digits cancel.
 /// Precondition: each polygon lies in front of the other's plane, or in it.
 double exchange_area(std::span<const mesh::OutlineEdge> receiver, std::span<const mesh::OutlineEdge> source);
 

@@ -293,20 +293,17 @@ void ElementTree::split(ElementId e) {
   }
 }
 
-bool ElementTree::holds(const Node& node, const Point& point, double slack) const {
-  if (node.triangle) {
-    const auto& c = corners_[node.shape];
-    const Vector& normal = side_axes_[node.face_side].w;
-    const double least = -slack * 2.0 * node.area;
-    return dot(cross(c[1] - c[0], point - c[0]), normal) >= least &&
-           dot(cross(c[2] - c[1], point - c[1]), normal) >= least &&
-           dot(cross(c[0] - c[2], point - c[2]), normal) >= least;
-  }
+bool ElementTree::triangle_holds(const Node& node, const Point& point, double slack) const {
+  const auto& c = corners_[node.shape];
+  const Vector& normal = side_axes_[node.face_side].w;
+  const double least = -slack * 2.0 * node.area;
+  return dot(cross(c[1] - c[0], point - c[0]), normal) >= least &&
+         dot(cross(c[2] - c[1], point - c[1]), normal) >= least &&
+         dot(cross(c[0] - c[2], point - c[2]), normal) >= least;
+}
+
+bool ElementTree::group_may_hold(const Node& node, double u, double v, double slack) const {
   const auto& box = groups_[node.shape].rectangle;
-  const Frame& frame = side_axes_[node.face_side];
-  const Vector d = point - side_origin_[node.face_side];
-  const double u = dot(d, frame.u);
-  const double v = dot(d, frame.v);
   const double edge = slack * (box[2] - box[0] + box[3] - box[1]);
   return u >= box[0] - edge && u <= box[2] + edge && v >= box[1] - edge && v <= box[3] + edge;
 }
@@ -372,16 +369,23 @@ ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point
 }
 
 ElementId ElementTree::start_holding(std::uint32_t top, const Point& point, double slack) const {
+  if (nodes_[top].triangle) return triangle_holds(nodes_[top], point, slack) ? ElementId(top) : ElementId();
+  const std::uint32_t side = nodes_[top].face_side;
+  const Vector d = point - side_origin_[side];
+  const double u = dot(d, side_axes_[side].u);
+  const double v = dot(d, side_axes_[side].v);
   std::array<std::uint32_t, 64> stack;
   std::size_t depth = 0;
   stack[depth++] = top;
   while (depth > 0) {
     const std::uint32_t id = stack[--depth];
     const Node& n = nodes_[id];
-    if (!holds(n, point, slack)) continue;
-    if (n.triangle) return ElementId(id);
-    stack[depth++] = n.first_child + 1;
-    stack[depth++] = n.first_child;
+    if (n.triangle) {
+      if (triangle_holds(n, point, slack)) return ElementId(id);
+    } else if (group_may_hold(n, u, v, slack)) {
+      stack[depth++] = n.first_child + 1;
+      stack[depth++] = n.first_child;
+    }
   }
   return {};
 }

@@ -134,7 +134,9 @@ class ElementTree {
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
   void split_group(const Triangulation& mesh, std::uint32_t group);
   [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
-  [[nodiscard]] bool holds(const Node& node, const Point& point, double slack) const;
+  [[nodiscard]] bool triangle_holds(const Node& node, const Point& point, double slack) const;
+  /// Whether (u, v) from the face's origin lies in a group's rectangle.
+  [[nodiscard]] bool group_may_hold(const Node& node, double u, double v, double slack) const;
   /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
   [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
   [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
