@@ -24,21 +24,60 @@ constexpr double kFilled = 1e-6;
 constexpr double kClosed = 3e-6;
 constexpr std::size_t kMostRounds = 100;
 
-/// Whether all that an element sees is proven visible, and fills its hemisphere.
-bool is_filled(const Solution& solution, const Arrivals& arrivals, ElementId e) {
-  const mesh::ElementTree& tree = solution.tree();
-  double sum = 0.0;
-  for (ElementId up = e; up.valid(); up = tree.parent(up)) {
-    const std::span<const Arrival> here = arrivals.at(up);
-    if (!std::all_of(here.begin(), here.end(), [](const Arrival& a) { return a.is_proven(); })) return false;
-    for (const Arrival& arrival : here) {
-      const ElementId s = arrival.source().element();
-      std::array<OutlineEdge, 3> scratch;
-      sum += point_form_factor(tree.centroid(e), tree.normal(e), tree.outline(s, scratch), tree.normal(s));
-    }
+/// Tells which elements' hemispheres are filled, by proven links.
+class Filled {
+ public:
+  Filled(const Solution& solution, const Arrivals& arrivals) : solution_(solution), arrivals_(arrivals) {}
+
+  /// Whether all that an element sees is proven visible, and fills its hemisphere, as seen from its centroid.
+  [[nodiscard]] bool exactly(ElementId e) const { return is_proven(e) && std::abs(1.0 - seen_from(e)) <= kFilled; }
+  /// The same for an element beside one that is filled. What that one sees leaves no gap: where links say the same of this one, in single
+  /// precision and linear over their receivers, there is none here.
+  [[nodiscard]] bool beside_filled(ElementId e) const {
+    if (!is_proven(e)) return false;
+    return std::abs(1.0 - linked(e)) <= kAlike || std::abs(1.0 - seen_from(e)) <= kFilled;
   }
-  return std::abs(1.0 - sum) <= kFilled;
-}
+
+ private:
+  /// Elements beside a filled one are looked at closely where their links' factors add up to something else than 1 by more.
+  static constexpr double kAlike = 0.01;
+
+  [[nodiscard]] bool is_proven(ElementId e) const {
+    for (ElementId up = e; up.valid(); up = solution_.tree().parent(up)) {
+      const std::span<const Arrival> here = arrivals_.at(up);
+      if (!std::all_of(here.begin(), here.end(), [](const Arrival& a) { return a.is_proven(); })) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] double seen_from(ElementId e) const {
+    const mesh::ElementTree& tree = solution_.tree();
+    double sum = 0.0;
+    for (ElementId up = e; up.valid(); up = tree.parent(up)) {
+      for (const Arrival& arrival : arrivals_.at(up)) {
+        const ElementId s = arrival.source().element();
+        std::array<OutlineEdge, 3> scratch;
+        sum += point_form_factor(tree.centroid(e), tree.normal(e), tree.outline(s, scratch), tree.normal(s));
+      }
+    }
+    return sum;
+  }
+
+  [[nodiscard]] double linked(ElementId e) const {
+    const mesh::ElementTree& tree = solution_.tree();
+    double sum = 0.0;
+    for (ElementId up = e; up.valid(); up = tree.parent(up)) {
+      const Vector d = tree.centroid(e) - tree.centroid(up);
+      const double u = dot(d, tree.axes(e).u);
+      const double v = dot(d, tree.axes(e).v);
+      for (const Arrival& a : arrivals_.at(up)) sum += a.factor() + a.slope_u() * u + a.slope_v() * v;
+    }
+    return sum;
+  }
+
+  const Solution& solution_;
+  const Arrivals& arrivals_;
+};
 
 /// A function over the surfaces, linear on each element: what the links make of it.
 class Exchange {
@@ -123,10 +162,31 @@ class Exchange {
 };
 
 std::vector<ElementId> filled_elements(const Solution& solution, const Arrivals& arrivals) {
+  const mesh::ElementTree& tree = solution.tree();
+  const Filled is_filled(solution, arrivals);
   const std::vector<ElementId> elements = solution.elements();
+  // The first of those that hang on one node is looked at closely.
+  std::vector<std::size_t> first(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const bool beside =
+        i > 0 && tree.parent(elements[i]).valid() && tree.parent(elements[i]) == tree.parent(elements[i - 1]);
+    first[i] = beside ? first[i - 1] : i;
+  }
   std::vector<std::uint8_t> filled(elements.size());
   parallel_for(
-      elements.size(), [&](std::size_t i) { filled[i] = is_filled(solution, arrivals, elements[i]) ? 1 : 0; }, 16);
+      elements.size(),
+      [&](std::size_t i) {
+        if (first[i] == i) filled[i] = is_filled.exactly(elements[i]) ? 1 : 0;
+      },
+      16);
+  parallel_for(
+      elements.size(),
+      [&](std::size_t i) {
+        if (first[i] == i) return;
+        const bool beside = filled[first[i]] != 0;
+        filled[i] = (beside ? is_filled.beside_filled(elements[i]) : is_filled.exactly(elements[i])) ? 1 : 0;
+      },
+      16);
   std::vector<ElementId> found;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (filled[i] != 0) found.push_back(elements[i]);
