@@ -16,6 +16,7 @@
 #include "mesh/phase_part.h"
 #include "mesh/polygon_defects.h"
 #include "mesh/soup.h"
+#include "mesh/straight_vertices.h"
 
 namespace clerestory::mesh {
 
@@ -130,6 +131,9 @@ FaceDrafts draft_faces(const CleanSurface& surface, const FaceOptions& options,
                             boundary_of_group(soup, group),
                             {}});
   }
+  std::vector<std::uint8_t> curved;
+  for (const std::vector<std::uint32_t>& own : facets) curved.push_back(own.empty() ? 0 : 1);
+  drop_straight_vertices(drafts, curved);
   return drafts;
 }
 

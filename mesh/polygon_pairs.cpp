@@ -86,16 +86,17 @@ class PairSearch {
   }
 
   void look_at(std::uint32_t f, std::uint32_t g) {
-    const Range of_g = distances(g, f);
-    const Range of_f = distances(f, g);
-    // The larger one knows its plane better.
-    const bool coplanar = (areas_[f] >= areas_[g] ? of_g : of_f).reach() <= slack_;
-    if (coplanar) {
+    // The larger one knows its plane better. It may have very many corners, of all that touches it: they are not gone through for each.
+    const bool f_is_larger = areas_[f] >= areas_[g];
+    const std::uint32_t larger = f_is_larger ? f : g;
+    const std::uint32_t smaller = f_is_larger ? g : f;
+    const Range of_smaller = distances(smaller, larger);
+    if (of_smaller.reach() <= slack_) {
       look_for_overlap(f, g);
       return;
     }
     const auto straddles = [&](const Range& r) { return r.low < -slack_ && r.high > slack_; };
-    if (straddles(of_g) && straddles(of_f) && hulls_cross(f, g)) look_for_crossing(f, g);
+    if (straddles(of_smaller) && straddles(distances(larger, smaller)) && hulls_cross(f, g)) look_for_crossing(f, g);
   }
 
   /// Whether on the line where the planes meet the stretch within the convex hull of one polygon overlaps that of the other.
