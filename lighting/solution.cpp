@@ -2,6 +2,7 @@
 #include "lighting/solution.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -47,6 +48,7 @@ void Solution::divide(ElementId e) {
 
 void Solution::open(ElementId e) {
   if (open_[e.index()] != 0) return;
+  assert(!tree_.parent(e).valid() || is_open(tree_.parent(e)));
   element_count_ += gained_by_opening(e);
   open_[e.index()] = 1;
   if (!tree_.has_children(e)) divide(e);
@@ -79,9 +81,7 @@ ElementId Solution::element_at(ElementId node, const mesh::Point& point) const {
   ElementId element = node;
   if (tree_.is_triangle(node)) element = tree_.descend(node, point, [&](ElementId e) { return is_open(e); });
   // The tree may be deeper than the solution: up to the highest node that is not open.
-  for (ElementId up = tree_.parent(element); up.valid(); up = tree_.parent(up)) {
-    if (!is_open(up)) element = up;
-  }
+  for (ElementId up = tree_.parent(element); up.valid() && !is_open(up); up = tree_.parent(up)) element = up;
   return element;
 }
 

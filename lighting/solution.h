@@ -55,7 +55,7 @@ class Solution {
   [[nodiscard]] std::size_t channels() const { return scene_->channels; }
 
   [[nodiscard]] bool is_open(mesh::ElementId e) const { return open_[e.index()] != 0; }
-  /// Makes the children of a node take part, splitting it if it has none. Serial.
+  /// Makes the children of a node take part, splitting it if it has none. Precondition: the node above is open. Serial.
   void open(mesh::ElementId e);
   /// The most elements that there should be from here on; no limit at first. open() does as it is told, its callers ask.
   void limit_elements(std::size_t most) { most_elements_ = most; }

@@ -14,6 +14,8 @@ namespace {
 
 /// Slack of point location, relative to an element's size: a hit on an edge belongs to one of its neighbours.
 constexpr double kEdgeSlack = 1e-6;
+/// Rounding of coordinates to single precision, twice over.
+constexpr double kSingle = 0x1p-22;
 /// Sampled points keep off edges by a ten-thousandth of the triangle: more than rays' single precision, less than anything to be seen.
 constexpr double kInside = 1.0 - 1e-4;
 
@@ -93,7 +95,36 @@ void ElementTree::add_region(const Triangulation& mesh, std::vector<Triangle> tr
   nodes_.push_back(root);
   roots_.push_back(ElementId(id));
   build_groups(mesh, id);
+  add_forks(id);
   add_up_areas(id);
+}
+
+std::array<double, 4> ElementTree::rectangle_of(const Node& node) const {
+  if (!node.triangle) return groups_[node.shape].rectangle;
+  std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
+  for (const Point& p : corners_[node.shape]) {
+    const double u = dot(p - side_origin_[node.face_side], side_axes_[node.face_side].u);
+    const double v = dot(p - side_origin_[node.face_side], side_axes_[node.face_side].v);
+    box = {std::min(box[0], u), std::min(box[1], v), std::max(box[2], u), std::max(box[3], v)};
+  }
+  return box;
+}
+
+void ElementTree::add_forks(std::uint32_t root) {
+  forks_.resize(groups_.size());
+  for (std::uint32_t n = root; n < nodes_.size(); ++n) {
+    if (nodes_[n].triangle) continue;
+    Fork& fork = forks_[nodes_[n].shape];
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      const Node& child = nodes_[nodes_[n].first_child + k];
+      fork.below[k] = child.triangle ? kLeaf | (nodes_[n].first_child + k) : child.shape;
+      const std::array<double, 4> box = rectangle_of(child);
+      const double farthest = std::max({-box[0], -box[1], box[2], box[3]});
+      const double grown = kEdgeSlack * (box[2] - box[0] + box[3] - box[1]) + kSingle * farthest;
+      fork.rectangles[k] = {static_cast<float>(box[0] - grown), static_cast<float>(box[1] - grown),
+                            static_cast<float>(box[2] + grown), static_cast<float>(box[3] + grown)};
+    }
+  }
 }
 
 void ElementTree::add_up_areas(std::uint32_t root) {
@@ -302,12 +333,6 @@ bool ElementTree::triangle_holds(const Node& node, const Point& point, double sl
          dot(cross(c[0] - c[2], point - c[2]), normal) >= least;
 }
 
-bool ElementTree::group_may_hold(const Node& node, double u, double v, double slack) const {
-  const auto& box = groups_[node.shape].rectangle;
-  const double edge = slack * (box[2] - box[0] + box[3] - box[1]);
-  return u >= box[0] - edge && u <= box[2] + edge && v >= box[1] - edge && v <= box[3] + edge;
-}
-
 ElementTree::Barycentric ElementTree::barycentric(ElementId triangle, const Point& point) const {
   const auto& c = corners_[node(triangle).shape];
   const Vector& normal = axes(triangle).w;
@@ -369,22 +394,28 @@ ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point
 }
 
 ElementId ElementTree::start_holding(std::uint32_t top, const Point& point, double slack) const {
-  if (nodes_[top].triangle) return triangle_holds(nodes_[top], point, slack) ? ElementId(top) : ElementId();
-  const std::uint32_t side = nodes_[top].face_side;
-  const Vector d = point - side_origin_[side];
-  const double u = dot(d, side_axes_[side].u);
-  const double v = dot(d, side_axes_[side].v);
+  const Node& node = nodes_[top];
+  if (node.triangle) return triangle_holds(node, point, slack) ? ElementId(top) : ElementId();
+  const Vector d = point - side_origin_[node.face_side];
+  const auto u = static_cast<float>(dot(d, side_axes_[node.face_side].u));
+  const auto v = static_cast<float>(dot(d, side_axes_[node.face_side].v));
+  // Rectangles have the least slack in them already.
+  const float more = slack > kEdgeSlack ? static_cast<float>(2.0 * slack * node.radius) : 0.0F;
   std::array<std::uint32_t, 64> stack;
   std::size_t depth = 0;
-  stack[depth++] = top;
+  stack[depth++] = node.shape;
   while (depth > 0) {
-    const std::uint32_t id = stack[--depth];
-    const Node& n = nodes_[id];
-    if (n.triangle) {
-      if (triangle_holds(n, point, slack)) return ElementId(id);
-    } else if (group_may_hold(n, u, v, slack)) {
-      stack[depth++] = n.first_child + 1;
-      stack[depth++] = n.first_child;
+    const std::uint32_t next = stack[--depth];
+    if ((next & kLeaf) != 0) {
+      const std::uint32_t id = next & ~kLeaf;
+      if (triangle_holds(nodes_[id], point, slack)) return ElementId(id);
+      continue;
+    }
+    const Fork& fork = forks_[next];
+    for (const std::size_t k : {1, 0}) {
+      const auto& box = fork.rectangles[k];
+      if (u >= box[0] - more && v >= box[1] - more && u <= box[2] + more && v <= box[3] + more)
+        stack[depth++] = fork.below[k];
     }
   }
   return {};

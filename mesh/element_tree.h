@@ -122,6 +122,12 @@ class ElementTree {
     std::uint32_t edge_count = 0;
     std::array<double, 4> rectangle{};  ///< low u, low v, high u, high v from the face's origin
   };
+  /// What finding a point needs of a group: the rectangles of both children, grown by the least slack and by rounding.
+  struct Fork {
+    std::array<std::array<float, 4>, 2> rectangles{};
+    std::array<std::uint32_t, 2> below{};  ///< index into forks_, or kLeaf and a triangle's node
+  };
+  static constexpr std::uint32_t kLeaf = 0x80000000U;
   using StartTriangle = std::array<std::uint32_t, 3>;
   using Barycentric = std::array<double, 3>;
 
@@ -135,8 +141,8 @@ class ElementTree {
   void split_group(const Triangulation& mesh, std::uint32_t group);
   [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
   [[nodiscard]] bool triangle_holds(const Node& node, const Point& point, double slack) const;
-  /// Whether (u, v) from the face's origin lies in a group's rectangle.
-  [[nodiscard]] bool group_may_hold(const Node& node, double u, double v, double slack) const;
+  void add_forks(std::uint32_t root);
+  [[nodiscard]] std::array<double, 4> rectangle_of(const Node& node) const;
   /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
   [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
   [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
@@ -150,6 +156,7 @@ class ElementTree {
   std::vector<Point> side_origin_;          ///< [2 a face]
   std::vector<std::array<Point, 3>> corners_;
   std::vector<Group> groups_;
+  std::vector<Fork> forks_;  ///< [groups]
   std::vector<OutlineEdge> edges_;
   std::vector<StartTriangle> start_;
   std::vector<std::uint32_t> start_node_;  ///< [start triangles] the node of each
