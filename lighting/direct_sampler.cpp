@@ -84,6 +84,16 @@ std::uint32_t first_rays(std::size_t parts) {
   return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), kLeastRays, kFirstRays);
 }
 
+/// Where a survey looks from each place, as points of the unit square.
+using Directions = std::array<std::array<double, 2>, kDirections>;
+
+Directions directions_of(std::uint64_t key) {
+  const SobolPoints numbers(key);
+  Directions directions{};
+  for (std::uint32_t j = 0; j < kDirections; ++j) directions[j] = numbers.point<2>(j);
+  return directions;
+}
+
 /// The place of an opening that belongs to (a, b) in the unit square, about uniform by area.
 Point point_of(const Opening& opening, double a, double b) {
   const double n = a * static_cast<double>(opening.triangles.size());
@@ -197,7 +207,8 @@ DirectSampler::Places DirectSampler::places_on(ElementId e, std::uint64_t key) c
   const SobolPoints numbers(key);
   Places places;
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    const Point p = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1));
+    const auto [a, b] = numbers.point<2>(i);
+    const Point p = tree.sample(e, a, b);
     const Vector d = p - tree.centroid(e);
     places.samples[i] = {dot(d, tree.axes(e).u), dot(d, tree.axes(e).v), 0.0, 1.0 / kPoints};
     places.lifted[i] = p + scene().rays->offset_m() * tree.normal(e);
@@ -351,12 +362,12 @@ bool DirectSampler::in_view(ElementId e, const mesh::ShaftEnd& own, std::uint32_
 
 void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places) const {
   const Vector& normal = solution_.tree().normal(e);
-  const SobolPoints numbers(key);
+  const Directions directions = directions_of(key);
   std::vector<double> moments(places.moments.size());
   for (std::uint32_t i = 0; i < kPoints; ++i) {
     const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
-    for (std::uint32_t j = 0; j < kDirections; ++j) {
-      const SolidAngleSample s = sampler.sample(numbers.at(j, 0), numbers.at(j, 1));
+    for (const auto& [a, b] : directions) {
+      const SolidAngleSample s = sampler.sample(a, b);
       const double cosine = dot(s.direction, normal);
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
       const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
@@ -374,11 +385,11 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
 
 void DirectSampler::survey_sky(ElementId e, std::uint64_t key, Places& places) const {
   const mesh::Frame frame = mesh::frame_around(solution_.tree().normal(e));
-  const SobolPoints numbers(key);
+  const Directions directions = directions_of(key);
   std::vector<double> moments(places.moments.size());
   for (std::uint32_t i = 0; i < kPoints; ++i) {
-    for (std::uint32_t j = 0; j < kDirections; ++j) {
-      const Vector d = cosine_direction(frame, numbers.at(j, 0), numbers.at(j, 1));
+    for (const auto& [a, b] : directions) {
+      const Vector d = cosine_direction(frame, a, b);
       Collector collector{&solution_};
       collector.moments = moments;
       std::fill(moments.begin(), moments.end(), 0.0);
@@ -416,15 +427,16 @@ DirectSampler::Start DirectSampler::start(ElementId e, std::int32_t opening, con
                                           std::uint32_t i) const {
   const mesh::ElementTree& tree = solution_.tree();
   const Vector& normal = tree.normal(e);
+  const auto [a, b, c, d] = numbers.point<4>(i);
   Start ray;
-  ray.at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  ray.at = tree.sample(e, a, b) + scene().rays->offset_m() * normal;
   if (opening == kOpenSky) {
-    ray.direction = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
+    ray.direction = cosine_direction(tree.axes(e), c, d);
     ray.weight = 1.0;
     return ray;
   }
   const OpeningSampler sampler(ray.at, scene().openings[static_cast<std::size_t>(opening)].triangles);
-  const SolidAngleSample s = sampler.sample(numbers.at(i, 2), numbers.at(i, 3));
+  const SolidAngleSample s = sampler.sample(c, d);
   ray.direction = s.direction;
   ray.weight = s.solid_angle_sr * std::max(0.0, dot(s.direction, normal)) / std::numbers::pi;
   return ray;
@@ -435,15 +447,16 @@ DirectSampler::Probe DirectSampler::probe(ElementId e, std::int32_t opening, con
                                           std::uint32_t i) const {
   const mesh::ElementTree& tree = solution_.tree();
   const Vector& normal = tree.normal(e);
-  const Point at = tree.sample(e, numbers.at(i, 0), numbers.at(i, 1)) + scene().rays->offset_m() * normal;
+  const auto [a, b, c, d] = numbers.point<4>(i);
+  const Point at = tree.sample(e, a, b) + scene().rays->offset_m() * normal;
   if (opening == kOpenSky) {
-    const Vector d = cosine_direction(tree.axes(e), numbers.at(i, 2), numbers.at(i, 3));
-    return {{at, at + 2.0 * scene().rays->bounds().diagonal() * d}, d, true};
+    const Vector out = cosine_direction(tree.axes(e), c, d);
+    return {{at, at + 2.0 * scene().rays->bounds().diagonal() * out}, out, true};
   }
   const Opening& o = scene().openings[static_cast<std::size_t>(opening)];
-  const Point inside = point_of(o, numbers.at(i, 2), numbers.at(i, 3)) - scene().rays->offset_m() * o.outward;
-  const Vector d = inside - at;
-  return {{at, inside}, normalized(d), dot(d, normal) > 0.0 && dot(d, o.outward) > 0.0};
+  const Point inside = point_of(o, c, d) - scene().rays->offset_m() * o.outward;
+  const Vector there = inside - at;
+  return {{at, inside}, normalized(there), dot(there, normal) > 0.0 && dot(there, o.outward) > 0.0};
 }
 
 /// Whether anything bright lies where an unobstructed probe leads.

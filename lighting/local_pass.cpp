@@ -151,12 +151,16 @@ LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std
       node_at_(solution.tree().size(), kNone),
       emitters_(emitters(solution)),
       luminaires_(any_luminaires(solution.scene())),
-      numbers_(kSeed),
       rays_(ray_count(kSourceRays / accuracy, 8.0)),
       most_rays_(ray_count(kMostRays / accuracy, 64.0)),
       accuracy_(accuracy),
       fine_(std::clamp(kLampShare * accuracy, kFineMean, kRoughMean)),
       dark_lux_(dark_lux) {
+  const SobolPoints numbers(kSeed);
+  for (std::uint32_t i = 0; i < std::max(rays_, most_rays_); ++i) {
+    numbers_.push_back(numbers.point<2>(i));
+    hemisphere_.push_back(cosine_direction({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, numbers_[i][0], numbers_[i][1]));
+  }
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
 }
@@ -241,7 +245,7 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
   std::vector<EmitterSample> samples(rays_);
   double all = 0.0;
   for (std::uint32_t i = 0; i < rays_; ++i) {
-    samples[i] = sample(solution_, emitter, receiver.from, receiver.normal, numbers_.at(i, 0), numbers_.at(i, 1));
+    samples[i] = sample(solution_, emitter, receiver.from, receiver.normal, numbers_[i][0], numbers_[i][1]);
     all += samples[i].kernel / rays_;
   }
   if (all <= 0.0) return;
@@ -262,7 +266,7 @@ void LocalPass::through_opening(const MinorOpening& drawn, std::uint32_t rays, c
   const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(opening), true};
   sum.begin();
   for (std::uint32_t i = 0; i < rays; ++i) {
-    const SolidAngleSample s = sampler.sample(numbers_.at(i, 0), numbers_.at(i, 1));
+    const SolidAngleSample s = sampler.sample(numbers_[i][0], numbers_[i][1]);
     const double cosine = dot(s.direction, receiver.normal);
     sum.begin_ray(drawn.weight * s.solid_angle_sr * cosine / std::numbers::pi, false);
     if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
@@ -288,7 +292,8 @@ void LocalPass::from_surfaces(const Receiver& receiver, Sum& sum) const {
   for (std::uint32_t until = kLeastRays;; until *= 2) {
     for (; rays < until; ++rays) {
       sum.begin_ray(1.0, rays < kLeastRays);
-      const Vector d = cosine_direction(frame, numbers_.at(rays, 0), numbers_.at(rays, 1));
+      const Vector& local = hemisphere_[rays];
+      const Vector d = local.x * frame.u + local.y * frame.v + local.z * frame.w;
       follow(solution_.scene(), receiver.from, d, 1.0F, PathRule{PathRule::Part::kGather, -1, true}, sum);
     }
     const double goal = kGoal * accuracy_ * std::max(sum.weighted() + sum.part_lux(), dark_lux_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -72,7 +73,10 @@ class LocalPass {
   std::vector<Emitter> emitters_;
   std::vector<LuminaireView> luminaires_;  ///< all, of which nothing is known
   std::vector<mesh::ShaftEnd> opening_ends_;
-  SobolPoints numbers_;  ///< the same at all points: differences between these are then the light's own
+  /// Points of the unit square, and the directions of the hemisphere about z that belong to them, by ray. They are the same at all points:
+  /// differences between these are then the light's own.
+  std::vector<std::array<double, 2>> numbers_;
+  std::vector<mesh::Vector> hemisphere_;
   std::uint32_t rays_;   ///< towards a source that is not wholly seen
   std::uint32_t most_rays_;
   double accuracy_;

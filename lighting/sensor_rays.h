@@ -86,7 +86,8 @@ class SensorRays {
                    const SensorPlace& place, Taker& taker) const {
     const mesh::Frame frame = mesh::frame_around(place.receiver.axis());
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const mesh::Vector d = place.receiver.direction(frame, points.at(i, 0), points.at(i, 1));
+      const auto [a, b] = points.point<2>(i);
+      const mesh::Vector d = place.receiver.direction(frame, a, b);
       taker.ray(
           r,
           [&](auto& visitor) {
@@ -102,7 +103,8 @@ class SensorRays {
     const OpeningSampler sampler(place.at, scene().openings[part.which].triangles);
     const PathRule rule{PathRule::Part::kOpening, static_cast<std::int32_t>(part.which), true};
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const SolidAngleSample s = sampler.sample(points.at(i, 0), points.at(i, 1));
+      const auto [a, b] = points.point<2>(i);
+      const SolidAngleSample s = sampler.sample(a, b);
       const double kernel = place.receiver.kernel(s.direction);
       if (kernel <= 0.0 || s.solid_angle_sr <= 0.0) {
         taker.miss(r);
@@ -118,8 +120,8 @@ class SensorRays {
   void look_at_emitter(const SensorPart& part, std::size_t r, std::uint32_t until, const SobolPoints& points,
                        const SensorPlace& place, Taker& taker) const {
     for (std::uint32_t i = part.rays; i < until; ++i) {
-      const EmitterSample seen =
-          sample(solution_, emitters_[part.which], place.at, place.receiver, points.at(i, 0), points.at(i, 1));
+      const auto [a, b] = points.point<2>(i);
+      const EmitterSample seen = sample(solution_, emitters_[part.which], place.at, place.receiver, a, b);
       taker.seen(r, seen.kernel, seen.passed);
     }
   }
@@ -129,7 +131,8 @@ class SensorRays {
                    const SensorPlace& place, Taker& taker) const {
     for (std::uint32_t i = part.rays; i < until; ++i) {
       const Sun& sun = scene().sky.sun;
-      const mesh::Vector towards = sun_direction(sun, points.at(i, 0), points.at(i, 1));
+      const auto [a, b] = points.point<2>(i);
+      const mesh::Vector towards = sun_direction(sun, a, b);
       taker.sun(r, sun_illuminance(scene(), sun, place.at, place.receiver, towards));
     }
   }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -61,6 +63,43 @@ TEST(Sobol, OtherPairsLeaveNoCellOfAQuarterOfTheirNumberEmpty) {
     for (std::size_t a = 0; a < 4; ++a) {
       for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(cells_met(points, 1024, a, b, 16, 16), 256U) << a << ", " << b;
     }
+  }
+}
+
+TEST(Sobol, APointHasItsCoordinates) {
+  const SobolPoints points(5);
+  for (const std::uint32_t i : {0U, 1U, 77U, 4095U, 0xFFFFFFFFU}) {
+    const auto four = points.point<4>(i);
+    const auto two = points.point<2>(i);
+    for (std::size_t d = 0; d < 4; ++d) EXPECT_EQ(four[d], points.at(i, d));
+    for (std::size_t d = 0; d < 2; ++d) EXPECT_EQ(two[d], points.at(i, d));
+  }
+}
+
+TEST(Sobol, PointsAreThoseOfTheDirectionNumbers) {
+  // Scrambled and shuffled, the points of a block are those of the sequence itself but for permutations in its strata: what no scrambling
+  // changes is how many leading digits two points share.
+  const auto plain = [](std::uint32_t index, std::size_t dimension) {
+    std::uint32_t x = 0;
+    for (std::uint32_t bit = 0; bit < 32; ++bit) {
+      if (((index >> bit) & 1U) != 0) x ^= kSobolDirections[dimension - 1][bit];
+    }
+    return x;
+  };
+  const auto shared = [](std::uint32_t a, std::uint32_t b) { return std::countl_zero(a ^ b); };
+  const SobolPoints points(11);
+  constexpr std::uint32_t kCount = 64;
+  for (std::size_t d = 1; d < 4; ++d) {
+    std::map<int, int> expected;
+    std::map<int, int> found;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+      for (std::uint32_t k = 0; k < i; ++k) {
+        const auto digits = [&](std::uint32_t of) { return static_cast<std::uint32_t>(points.at(of, d) * 0x1p32); };
+        ++expected[shared(plain(i, d), plain(k, d))];
+        ++found[shared(digits(i), digits(k))];
+      }
+    }
+    EXPECT_EQ(found, expected) << d;
   }
 }
 
