@@ -28,13 +28,17 @@ namespace {
 constexpr std::uint32_t kPoints = 8;      ///< places on a node, to see how light changes over it
 constexpr std::uint32_t kDirections = 8;  ///< from each place towards each opening, and into the open hemisphere
 /// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
-/// direction of its own, stratified in all four dimensions.
-constexpr std::uint32_t kProbes = 256;
+/// direction of its own, stratified in all four dimensions. When n of them have failed, up to 3/n may be seen with 95 % confidence
+/// [Hanley, Lippman-Hand 1983]: so many that this does not matter, within bounds.
+constexpr std::uint32_t kLeastProbes = 32;
+constexpr std::uint32_t kMostProbes = 256;
 constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
 constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with; fewer where a node looks at many
 constexpr std::uint32_t kLeastRays = 8;
-constexpr std::uint32_t kMostRays = 512;    ///< a batch and opening
-constexpr std::size_t kMostMinor = 16;      ///< openings that hardly matter: so many stand for all
+constexpr std::uint32_t kMostRays = 512;  ///< a batch and opening
+constexpr double kNoiseShare = 0.5;       ///< of the tolerance, what light may be unsure by that is measured with fewer
+constexpr std::size_t kLeastMinor = 4;    ///< openings that hardly matter: so many at least, and at most, stand for all
+constexpr std::size_t kMostMinor = 16;
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
 
@@ -77,6 +81,10 @@ PathRule rule_of(std::int32_t opening) {
   if (opening == kOpenSky) return {PathRule::Part::kGather, -1, false};
   return {PathRule::Part::kOpening, opening, true};
 }
+
+/// Of light that lies between 0 and a bound, the mean of n independent rays has a standard error of bound/(2√n) at most: so many
+/// make it no more than is allowed.
+double enough_rays(double bound, double allowed) { return bound * bound / (4.0 * allowed * allowed); }
 
 /// Errors of many parts, each a small share of the light, even out.
 std::uint32_t first_rays(std::size_t parts) {
@@ -233,12 +241,12 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate, bool roughl
       continue;
     }
     if (scene().shafts->classify(own, ends_[k]) == mesh::Visibility::kHidden) continue;
-    if (sees(e, static_cast<std::int32_t>(k))) result.below.openings.push_back(k);
+    if (sees(e, static_cast<std::int32_t>(k), allowed)) result.below.openings.push_back(k);
   }
-  keep_few(e, key, result.below.minor);
+  keep_few(e, allowed, key, result.below.minor);
   if (candidate.open_sky && scene().has_sky()) {
     result.below.minor_sky = most_light() <= allowed;
-    result.below.open_sky = result.below.minor_sky || sees(e, kOpenSky);
+    result.below.open_sky = result.below.minor_sky || sees(e, kOpenSky, allowed);
   }
   const Places places = look_out(result.below, key);
   result.fit = fit_line(places.samples);
@@ -270,8 +278,7 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   std::vector<Part> parts;
   for (const std::uint32_t k : survey.below.openings) parts.emplace_back(static_cast<std::int32_t>(k), scene().groups);
   if (survey.below.open_sky && !survey.below.minor_sky) parts.emplace_back(kOpenSky, scene().groups);
-  const std::uint32_t first = first_rays(parts.size());
-  for (Part& part : parts) extend(e, first, part);
+  for (Part& part : parts) extend(e, rays_to_begin(e, part.opening, parts.size()), part);
   if (!roughly) improve(e, parts);
   measure_minor(survey.below, parts);
   for (const Part& part : parts) {
@@ -326,11 +333,14 @@ void DirectSampler::measure_minor(const DirectCandidate& node, std::vector<Part>
 
 /// Where a node cannot matter much through many openings, a few of them stand for all: else each of n rooms would look for light
 /// through the windows of n.
-void DirectSampler::keep_few(ElementId e, std::uint64_t key, std::vector<MinorOpening>& minor) const {
-  if (minor.size() <= kMostMinor) return;
+void DirectSampler::keep_few(ElementId e, double allowed, std::uint64_t key, std::vector<MinorOpening>& minor) const {
+  if (minor.size() <= kLeastMinor) return;
   std::vector<double> sizes;
-  for (const MinorOpening& m : minor) sizes.push_back(m.weight * most_seen(e, m.opening));
-  draw_openings(sizes, kMostMinor, SobolPoints(mesh::hash(key, 0xFEFE)).at(0, 0), minor);
+  double all = 0.0;
+  for (const MinorOpening& m : minor) all += sizes.emplace_back(m.weight * most_seen(e, m.opening));
+  const double enough = std::clamp<double>(enough_rays(most_light() * all, allowed), kLeastMinor, kMostMinor);
+  draw_openings(sizes, static_cast<std::size_t>(std::ceil(enough)), SobolPoints(mesh::hash(key, 0xFEFE)).at(0, 0),
+                minor);
 }
 
 /// A bound on the illuminance of a node that sees nothing but sky and ground [lux].
@@ -345,6 +355,17 @@ double DirectSampler::most_seen(ElementId e, std::uint32_t k) const {
   const double distance = norm(tree.centroid(e) - centre) - reach;
   if (distance <= 0.0) return 1.0;
   return std::min(1.0, scene().openings[k].area_m2 / (std::numbers::pi * distance * distance));
+}
+
+/// A bound on what an opening, or the open sky, gives.
+double DirectSampler::most_lux(ElementId e, std::int32_t opening) const {
+  return most_light() * (opening == kOpenSky ? 1.0 : most_seen(e, static_cast<std::uint32_t>(opening)));
+}
+
+/// A batch: as many as are enough for what it gives at most, and no more than the share of one part.
+std::uint32_t DirectSampler::rays_to_begin(ElementId e, std::int32_t opening, std::size_t parts) const {
+  const double enough = enough_rays(most_lux(e, opening), kNoiseShare * tolerance(e)) / kBatches;
+  return std::bit_ceil(static_cast<std::uint32_t>(std::clamp<double>(enough, 1.0, first_rays(parts))));
 }
 
 /// Whether some part of the node lies inside of the opening's plane, and some of the opening in front of the node.
@@ -467,14 +488,17 @@ bool DirectSampler::is_lit(const Probe& probe, std::int32_t opening) const {
   return collector.sky_lux + collector.guess_lux > 0.0;
 }
 
-bool DirectSampler::sees(ElementId e, std::int32_t opening) const {
+/// @param allowed  what may be missed [lux]
+bool DirectSampler::sees(ElementId e, std::int32_t opening, double allowed) const {
   constexpr std::uint32_t kBatch = 16;
   const SobolPoints numbers(
       mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
   std::array<Probe, kBatch> probes;
   std::array<mesh::Segment, kBatch> segments;
   std::array<float, kBatch> passed{};
-  for (std::uint32_t first = 0; first < kProbes; first += kBatch) {
+  const double enough = 3.0 * most_lux(e, opening) / allowed;
+  const auto most = static_cast<std::uint32_t>(std::clamp<double>(enough, kLeastProbes, kMostProbes));
+  for (std::uint32_t first = 0; first < most; first += kBatch) {
     std::size_t count = 0;
     for (std::uint32_t i = first; i < first + kBatch; ++i) {
       probes[count] = probe(e, opening, numbers, i);

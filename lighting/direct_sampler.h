@@ -83,10 +83,12 @@ class DirectSampler {
 
   [[nodiscard]] double most_light() const;
   [[nodiscard]] double most_seen(mesh::ElementId e, std::uint32_t k) const;
+  [[nodiscard]] double most_lux(mesh::ElementId e, std::int32_t opening) const;
+  [[nodiscard]] std::uint32_t rays_to_begin(mesh::ElementId e, std::int32_t opening, std::size_t parts) const;
   [[nodiscard]] bool in_view(mesh::ElementId e, const mesh::ShaftEnd& own, std::uint32_t k) const;
-  void keep_few(mesh::ElementId e, std::uint64_t key, std::vector<MinorOpening>& minor) const;
+  void keep_few(mesh::ElementId e, double allowed, std::uint64_t key, std::vector<MinorOpening>& minor) const;
   void measure_minor(const DirectCandidate& node, std::vector<Part>& parts) const;
-  [[nodiscard]] bool sees(mesh::ElementId e, std::int32_t opening) const;
+  [[nodiscard]] bool sees(mesh::ElementId e, std::int32_t opening, double allowed) const;
   [[nodiscard]] Probe probe(mesh::ElementId e, std::int32_t opening, const SobolPoints& numbers, std::uint32_t i) const;
   [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;

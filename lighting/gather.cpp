@@ -35,6 +35,9 @@ constexpr double kLeastSampling = 0.5;
 constexpr double kStudentOfSamples = 2.37 / 2.0;
 constexpr double kMostFirstDoublings = 5.0;  ///< of the rays that all sensors begin with
 constexpr std::uint32_t kMostRays = 65536;   ///< a replicate and part
+/// Openings that the first ray of each replicate has missed are looked into where what these may have missed is more than this share of the
+/// error allowed.
+constexpr double kNeglected = 0.05;
 /// What is seen with nothing in between is smooth, and soon exact: it gets this share of the sampling error, up to so many rays.
 constexpr double kClearShare = 0.1;
 constexpr std::uint32_t kMostClearRays = 256;
@@ -54,7 +57,8 @@ using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
 /// One part of a sensor's light: sums over rays, a replicate each.
 struct Part : SensorPart {
-  bool clear = false;  ///< nothing stands between the sensor and the opening
+  bool clear = false;      ///< nothing stands between the sensor and the opening
+  bool looked_at = false;  ///< a dark opening whose most_lux is what is not hidden of it
   Replicates sums{};
   Replicates norms{};  ///< what the sums are shares of
   ErrorSums wrong{};   ///< what the light of surfaces may be wrong by in each of the samples, summed up over all rays
@@ -191,9 +195,7 @@ class Gatherer {
     state.exact_lux += by_luminaires.value;
     see_sun(rays, sensor, at, receiver, state, exact);
     state.exact = exact.lit();
-    // Many openings, of which most are of other rooms: where there is no time for more, one ray a replicate must do.
-    const std::uint32_t through = roughly ? 1 : std::max(4U, rays);
-    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, through, sensor, at, receiver, state);
+    for (std::uint32_t k = 0; k < scene().openings.size(); ++k) see_opening(k, roughly, sensor, at, receiver, state);
     Part hemisphere;
     extend(hemisphere, rays, sensor, at, receiver);
     // Where next to nothing is met, the light may come through a small hole: a few rays would call it dark, and be sure of it.
@@ -210,6 +212,10 @@ class Gatherer {
   template <class ShouldFinish>
   void improve(SensorState& state, double allowed_lux, std::size_t sensor, const Point& at, const Receiver& receiver,
                const ShouldFinish& should_finish) const {
+    for (Part& p : state.parts) {
+      if (is_dark_opening(p) && std::sqrt(p.variance()) > kNeglected * allowed_lux && !should_finish())
+        look_into(p, sensor, at, receiver);
+    }
     const double clear_goal = kClearShare * sampling_goal(state, allowed_lux);
     for (Part& p : state.parts) {
       while (p.clear && !should_finish() && p.rays < kMostClearRays &&
@@ -229,7 +235,10 @@ class Gatherer {
         }
       }
       if (best == nullptr) return;
-      extend(*best, 2 * best->rays, sensor, at, receiver);
+      if (is_dark_opening(*best) && !best->looked_at)
+        look_into(*best, sensor, at, receiver);
+      else
+        extend(*best, 2 * best->rays, sensor, at, receiver);
       settle_discretisation(state);
     }
   }
@@ -288,21 +297,33 @@ class Gatherer {
     state.parts.push_back(part);
   }
 
-  void see_opening(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
+  [[nodiscard]] std::uint32_t rays_through() const { return std::max(4U, first_rays_); }
+
+  /// Many openings, of which most are of other rooms: one ray a replicate tells, and must do where there is no time for more.
+  void see_opening(std::uint32_t k, bool roughly, std::size_t sensor, const Point& at, const Receiver& receiver,
                    SensorState& state) const {
     const Opening& opening = scene().openings[k];
     if (!faces_opening(opening, at, receiver)) return;
     Part part;
     part.kind = Part::Kind::kOpening;
     part.which = k;
-    extend(part, rays, sensor, at, receiver);
-    if (part.lit() == 0) {
-      part.most_lux = most_through(scene(), opening_ends_[k], at, receiver);
-      if (part.most_lux <= 0.0) return;
-    }
+    extend(part, 1, sensor, at, receiver);
+    if (part.lit() == 0)
+      part.most_lux = full_through(scene(), opening_ends_[k], at, receiver);
+    else if (!roughly)
+      extend(part, rays_through(), sensor, at, receiver);
     const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
-    part.clear = scene().shafts->classify(eye, opening_ends_[k]) == Visibility::kVisible;
+    part.clear = part.lit() > 0 && scene().shafts->classify(eye, opening_ends_[k]) == Visibility::kVisible;
     state.parts.push_back(part);
+  }
+
+  static bool is_dark_opening(const Part& part) { return part.kind == Part::Kind::kOpening && part.lit() == 0; }
+
+  /// Clips a dark opening by what stands before it; what is not hidden gets more rays.
+  void look_into(Part& part, std::size_t sensor, const Point& at, const Receiver& receiver) const {
+    part.looked_at = true;
+    part.most_lux = most_through(scene(), opening_ends_[part.which], at, receiver);
+    if (part.most_lux > 0.0 && part.rays < rays_through()) extend(part, rays_through(), sensor, at, receiver);
   }
 
   /// What the solution's errors make at a sensor, by all surfaces that its rays have met: errors of far elements cancel out only over many

@@ -123,6 +123,9 @@ class LocalPass::Sum {
     }
   }
 
+  /// Light that may have been missed.
+  void doubt(double lux) { variance_ += lux * lux; }
+
   [[nodiscard]] double weighted() const {
     double sum = 0.0;
     for (std::size_t c = 0; c < lux_.size(); ++c) sum += solution_.scene().channel_weights[c] * lux_[c];
@@ -194,14 +197,20 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
   const Scene& scene = solution_.scene();
   Sum sum(solution_, errors_, by_luminaires(receiver, fine_) + sun_illuminance(scene, receiver.from, receiver.normal));
   for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
+  std::vector<Missed> missed;
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
     if (i == kNone) continue;
     const std::uint32_t rays = rays_each(nodes_[i].openings.size());
-    for (const std::uint32_t k : nodes_[i].openings) through_opening({k}, rays, receiver, sum);
-    for (const MinorOpening& minor : nodes_[i].minor) through_opening(minor, kFewRays, receiver, sum);
+    for (const std::uint32_t k : nodes_[i].openings) {
+      if (!through_opening({k}, rays, receiver, sum)) missed.push_back({{k}, rays});
+    }
+    for (const MinorOpening& minor : nodes_[i].minor) {
+      if (!through_opening(minor, kFewRays, receiver, sum)) missed.push_back({minor, kFewRays});
+    }
   }
   from_surfaces(receiver, sum);
+  add_missed(missed, receiver, sum);
   return std::move(sum).light();
 }
 
@@ -258,7 +267,8 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
   sum.end(emitter.exitance * seen.factor);
 }
 
-void LocalPass::through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
+/// Returns whether any ray has met light.
+bool LocalPass::through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
                                 Sum& sum) const {
   const Scene& scene = solution_.scene();
   const std::uint32_t opening = drawn.opening;
@@ -272,16 +282,19 @@ void LocalPass::through_opening(const MinorOpening& drawn, std::uint32_t rays, c
     if (s.solid_angle_sr <= 0.0 || cosine <= 0.0 || dot(s.direction, scene.openings[opening].outward) <= 0.0) continue;
     follow(scene, receiver.from, s.direction, 1.0F, rule, sum);
   }
-  sum.end(sum.part_lux() > 0.0 ? 0.0 : drawn.weight * missed_through(opening, rays, receiver, sum));
+  sum.end();
+  return sum.part_lux() > 0.0;
 }
 
-/// What an opening gives at most whose rays have all missed the sky: by clipping, where that may matter.
-double LocalPass::missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
-                                 const Sum& sum) const {
+/// What openings give at most whose rays have all missed the sky: by clipping, where that may matter beside all other light.
+void LocalPass::add_missed(std::span<const Missed> missed, const Receiver& receiver, Sum& sum) const {
   const Scene& scene = solution_.scene();
-  const double full = full_through(scene, opening_ends_[opening], receiver.from, receiver.normal);
-  if (full < rays * kNeglected * accuracy_ * std::max(sum.weighted(), dark_lux_)) return 0.0;
-  return most_through(scene, opening_ends_[opening], receiver.from, receiver.normal);
+  const double neglected = kNeglected * accuracy_ * std::max(sum.weighted(), dark_lux_);
+  for (const auto& [drawn, rays] : missed) {
+    const mesh::ShaftEnd& end = opening_ends_[drawn.opening];
+    if (full_through(scene, end, receiver.from, receiver.normal) < rays * neglected) continue;
+    sum.doubt(drawn.weight * most_through(scene, end, receiver.from, receiver.normal) / rays);
+  }
 }
 
 /// What surfaces reflect, and the sky by no opening.

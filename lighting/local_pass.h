@@ -55,15 +55,20 @@ class LocalPass {
     std::span<const LuminaireView> luminaires;  ///< those that it may see
   };
   class Sum;
+  /// An opening that all of so many rays have missed.
+  struct Missed {
+    MinorOpening opening;
+    std::uint32_t rays = 0;
+  };
 
   [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
   void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
-  void through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver, Sum& sum) const;
-  [[nodiscard]] double missed_through(std::uint32_t opening, std::uint32_t rays, const Receiver& receiver,
-                                      const Sum& sum) const;
+  [[nodiscard]] bool through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
+                                     Sum& sum) const;
+  void add_missed(std::span<const Missed> missed, const Receiver& receiver, Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 
   const Solution& solution_;
@@ -77,7 +82,7 @@ class LocalPass {
   /// differences between these are then the light's own.
   std::vector<std::array<double, 2>> numbers_;
   std::vector<mesh::Vector> hemisphere_;
-  std::uint32_t rays_;   ///< towards a source that is not wholly seen
+  std::uint32_t rays_;  ///< towards a source that is not wholly seen
   std::uint32_t most_rays_;
   double accuracy_;
   double fine_;  ///< share of a luminaire's light that may be missed at a point

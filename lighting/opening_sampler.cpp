@@ -29,7 +29,9 @@ Vector orthogonal(const Vector& x, const Vector& a) { return normalized(x - dot(
 /// Arvo's algorithm; A, B, C unit vectors that span a solid angle.
 Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& c, double solid_angle, double x,
                                 double y) {
-  const double cos_alpha = std::clamp(-dot(normalized(cross(c, a)), normalized(cross(a, b))), -1.0, 1.0);
+  const Vector ca = cross(c, a);
+  const Vector ab = cross(a, b);
+  const double cos_alpha = std::clamp(-dot(ca, ab) / std::sqrt(dot(ca, ca) * dot(ab, ab)), -1.0, 1.0);
   const double sin_alpha = std::sqrt(1.0 - cos_alpha * cos_alpha);
   const double area = x * solid_angle;
   const double sin_area = std::sin(area);
@@ -43,7 +45,7 @@ Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& 
   const double q = below != 0.0 ? std::clamp(((v * t - u * s) * cos_alpha - v) / below, -1.0, 1.0) : 1.0;
   const Vector moved = q * a + std::sqrt(std::max(0.0, 1.0 - q * q)) * orthogonal(c, a);
   const double z = 1.0 - y * (1.0 - dot(moved, b));
-  return normalized(z * b + std::sqrt(std::max(0.0, 1.0 - z * z)) * orthogonal(moved, b));
+  return z * b + std::sqrt(std::max(0.0, 1.0 - z * z)) * orthogonal(moved, b);
 }
 
 }  // namespace
@@ -51,9 +53,17 @@ Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& 
 OpeningSampler::OpeningSampler(const Point& from, std::span<const std::array<Point, 3>> triangles)
     : from_(from), triangles_(triangles), many_(triangles.size() > kFew ? triangles.size() : 0) {
   const std::span<double> cumulative = triangles.size() > kFew ? std::span(many_) : std::span(few_);
+  // Triangles of one polygon share corners, and each takes a root.
+  std::array<Vector, 3> towards;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& t = triangles[i];
-    total_ += triangle_solid_angle(normalized(t[0] - from), normalized(t[1] - from), normalized(t[2] - from));
+    const std::array<Vector, 3> before = towards;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& corner = triangles[i][k];
+      std::size_t known = 0;
+      while (known < 3 && (i == 0 || !(triangles[i - 1][known] == corner))) ++known;
+      towards[k] = known < 3 ? before[known] : normalized(corner - from);
+    }
+    total_ += triangle_solid_angle(towards[0], towards[1], towards[2]);
     cumulative[i] = total_;
   }
 }

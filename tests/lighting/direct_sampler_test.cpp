@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "lighting/form_factor.h"
 #include "lighting/sampling.h"
@@ -21,8 +24,8 @@ using testing::IsEmpty;
 constexpr double kFloorToCeiling = 0.28273279;
 
 struct Sampled : test::Stage {
-  explicit Sampled(const Study& study)
-      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, 1e-4, 1) {}
+  explicit Sampled(const Study& study, double tolerance = 1e-4)
+      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, tolerance, 1) {}
 
   /// Of a root that may see everything.
   [[nodiscard]] DirectSurvey survey(const std::string& material, mesh::Side side = mesh::Side::kFront) const {
@@ -98,6 +101,64 @@ TEST(DirectSampler, AFloorReceivesTheShareOfTheSkyThatItsFormFactorToTheOpenCeil
   EXPECT_NEAR(measured.received, 10'000.0 * kFloorToCeiling, 3.0 * measured.noise);
   EXPECT_NEAR(measured.total, measured.received, 1e-9 * measured.received) << "there is nothing above but sky";
   EXPECT_THAT(measured.beyond, IsEmpty());
+}
+
+/// Rays that a call casts.
+template <class Call>
+std::size_t rays_of(const Sampled& room, const Call& call) {
+  const std::size_t before = room.scene.rays->use().rays;
+  call();
+  return room.scene.rays->use().rays - before;
+}
+
+/// A tolerance at which no opening is minor to the floor, and twice which all of it might be missed.
+double coarsest(const Study& study) {
+  const Sampled room(study);
+  DirectCandidate candidate;
+  candidate.node = room.root("floor");
+  candidate.openings = {0};
+  for (double tolerance = 1e-4;; tolerance *= 2.0) {
+    const DirectSampler coarser(room.solution, room.importance, 2.0 * tolerance, 1);
+    if (!coarser.survey(candidate).below.minor.empty()) return tolerance;
+  }
+}
+
+TEST(DirectSampler, WhatCanMatterLittleIsMeasuredWithFewRays) {
+  const Sampled room(open_room(), coarsest(open_room()));
+  const DirectSurvey survey = room.survey("floor");
+  ASSERT_THAT(survey.below.openings, ElementsAre(0U));
+  DirectMeasurement measured;
+  EXPECT_LE(rays_of(room, [&] { measured = room.sampler.measure(survey); }), 2U * (8U + 64U))
+      << "one a batch, and those that find the slopes; each goes on behind the opening";
+  EXPECT_NEAR(measured.received, 10'000.0 * kFloorToCeiling, 3.0 * measured.noise);
+  const Sampled fine(open_room());
+  EXPECT_GE(rays_of(fine, [&] { measured = fine.sampler.measure(fine.survey("floor")); }), 2U * (256U + 64U));
+}
+
+/// The open room with two sheets that hide its ceiling together, and neither alone.
+Study covered_room() {
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_quad(model, {0, 0, 2}, {2, 0, 2}, {2, 4, 2}, {0, 4, 2}, {"sheet", "sheet1"});
+  support::add_quad(model, {2, 0, 2}, {4, 0, 2}, {4, 3, 2}, {2, 3, 2}, {"sheet", "sheet2"});
+  support::add_quad(model, {2, 3, 2}, {4, 3, 2}, {4, 4, 2}, {2, 4, 2}, {"sheet", "sheet3"});
+  Study study = under_even_sky(std::move(model));
+  test::leave_open(test::material(study, "ceiling"));
+  test::shine(test::material(study, "wall"), 100.0);
+  return study;
+}
+
+/// 32 rays or 256 to the ceiling, and as many to the sky by no opening.
+TEST(DirectSampler, WhatIsHiddenAndCanMatterLittleIsProbedWithFewRays) {
+  const Sampled coarse(covered_room(), coarsest(covered_room()));
+  const Sampled fine(covered_room());
+  for (const auto& [room, least, most] :
+       {std::tuple(&coarse, std::size_t{64}, std::size_t{64}), std::tuple(&fine, std::size_t{512}, std::size_t{512})}) {
+    DirectSurvey survey;
+    const std::size_t rays = rays_of(*room, [&] { survey = room->survey("floor"); });
+    EXPECT_THAT(survey.below.openings, IsEmpty());
+    EXPECT_GE(rays, least);
+    EXPECT_LE(rays, most);
+  }
 }
 
 TEST(DirectSampler, TheSlopesOfWhatIsAcceptedAreThoseOfTheLightOnTheAverage) {

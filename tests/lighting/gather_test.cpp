@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/lighting/stages.h"
@@ -288,6 +290,24 @@ TEST(Gather, SkyThroughASlitIsFoundByRays) {
       EXPECT_NEAR(e.illuminance_lux[i], room.exact(i), 3.0 * e.error_lux[i]) << width_m << ' ' << i;
     }
   }
+}
+
+TEST(Gather, AnOpeningOutOfSightTakesOneRayAReplicate) {
+  const auto rays = [](bool open) {
+    mesh::Model model = support::box_room(4, 4, 3);
+    support::add_quad(model, {0, 0, 2}, {2, 0, 2}, {2, 4, 2}, {0, 4, 2}, {"sheet", "sheet1"});
+    support::add_quad(model, {2, 0, 2}, {4, 0, 2}, {4, 4, 2}, {2, 4, 2}, {"sheet", "sheet2"});
+    Study study = test::study_of(std::move(model), 0.5, {2, 2, 0.5});
+    study.sky.type = Sky::Type::kUniform;
+    test::shine(test::material(study, "floor"), 1000.0);
+    if (open) test::leave_open(test::material(study, "ceiling"));
+    const test::Solved solved(study);
+    const std::size_t before = solved.scene.rays->use().rays;
+    const Gathered e = gathered(solved, {{2, 1, 0.5}}, {{0, 0, 1}});
+    EXPECT_GT(e.illuminance_lux[0], 0.0F);
+    return solved.scene.rays->use().rays - before;
+  };
+  EXPECT_EQ(rays(true), rays(false) + kReplicates);
 }
 
 TEST(Gather, BehindACrowdRaysThatAllMissLeaveAnErrorBehindASheetNone) {
