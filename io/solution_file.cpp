@@ -25,7 +25,7 @@ namespace {
 
 using lighting::StoredSolution;
 
-constexpr std::uint32_t kFormatVersion = 5;
+constexpr std::uint32_t kFormatVersion = 6;
 constexpr std::uint64_t kLargestFile = 8ULL << 30U;
 /// Bytes before the HDF5 file proper, which the format leaves to its users: who wrote the file, and a hash of all that follows. What HDF5
 /// is given to read is whole.
@@ -217,6 +217,7 @@ template <class Solution, class Table>
 void visit_tables(Solution& s, const Table& table) {
   table("start_faces", s.start_faces);
   table("start_lines", s.start_lines);
+  table("start_refined", s.start_refined);
   table("divided", s.divided);
   table("open", s.open);
   table("elements", s.elements);

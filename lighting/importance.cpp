@@ -3,26 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
-#include "lighting/parallel.h"
-#include "lighting/sampling.h"
-#include "lighting/sun_light.h"
-#include "mesh/hash.h"
 
 namespace clerestory::lighting {
 
 using mesh::ElementId;
 using mesh::Point;
-using mesh::Vector;
 
 namespace {
 
-constexpr std::size_t kWalkers = 1024;  ///< sensors that send out walks, spread evenly over all of them
-constexpr std::size_t kWalks = 32768;   ///< in all
-constexpr int kBounces = 5;             ///< later ones carry under 0.5^5 of the light
 constexpr std::size_t kTellApart = 16;  ///< deposits that make a triangle worth dividing
 constexpr double kSmallest = 0.25;      ///< … if its radius is larger than this [m]
 constexpr double kOwnShare = 0.5;       ///< the rest of a root's importance is spread over it by area
@@ -38,77 +28,12 @@ constexpr double kAreaShare = 0.01;  ///< so much importance lies on all surface
 constexpr double kLeastWeightOfGrid = 0.2;
 constexpr double kMostWeightOfGrid = 5000.0;
 
+/// A deposit of a walk, with the node that it lies on.
 struct Deposit {
   ElementId node;
   Point at;
   float weight = 0.0F;
 };
-
-/// What the walks of one sensor left behind.
-struct Walked {
-  std::vector<Deposit> deposits;
-  double lux = 0.0;  ///< illuminance of the sensor as the walks see it, up to their last bounce
-};
-
-/// Takes what a ray sees; panes are passed, their mirror images left out.
-struct LastSurface {
-  const Sky* light;
-  SurfacePoint point;
-  float weight = 0.0F;
-  double sky_lux = 0.0;
-
-  void surface(const SurfacePoint& p, float w, bool) {
-    point = p;
-    weight = w;
-  }
-  void sky(const Vector& direction, float w, bool) {
-    sky_lux += w * std::numbers::pi * sky_luminance(*light, direction);
-  }
-};
-
-Walked walk(const Solution& solution, const Point& position, const Vector& normal, std::uint32_t walks,
-            std::uint64_t seed) {
-  Walked walked;
-  const Scene& scene = solution.scene();
-  for (std::uint32_t i = 0; i < walks; ++i) {
-    Point at = position;
-    Vector facing = normal;
-    float weight = 1.0F / static_cast<float>(walks);
-    for (int bounce = 0; bounce < kBounces; ++bounce) {
-      const SobolPoints points(mesh::hash(seed, static_cast<std::uint64_t>(bounce)));
-      const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
-      LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
-      follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
-      walked.lux += weight * (seen.sky_lux + luminaire_glance(scene, at, facing));
-      walked.lux += weight * sun_illuminance(scene, at, facing);
-      if (seen.weight <= 0.0F) break;
-      weight *= seen.weight;
-      const ElementId node = solution.tree().find(seen.point.side, seen.point.region, seen.point.at);
-      if (!node.valid()) break;
-      walked.deposits.push_back({node, seen.point.at, weight});
-      walked.lux += weight * luminance(scene.side_exitance(seen.point.side), scene.channel_weights);
-      weight *= luminance(scene.side_reflectance(seen.point.side), scene.channel_weights);
-      facing = solution.tree().normal(node);
-      at = seen.point.at + scene.rays->offset_m() * facing;
-    }
-  }
-  return walked;
-}
-
-/// Walks from sensors that are spread over the list of all of them.
-std::vector<Walked> walk_from(const Solution& solution, std::span<const Point> positions,
-                              std::span<const Vector> normals, std::uint64_t seed) {
-  const std::size_t walkers = std::min(kWalkers, positions.size());
-  std::vector<Walked> walked(walkers);
-  const auto walks = static_cast<std::uint32_t>(kWalks / std::max<std::size_t>(1, walkers));
-  parallel_for(walkers, [&](std::size_t i) {
-    const std::size_t sensor = i * positions.size() / walkers;
-    // A sensor may stand on a surface.
-    const Point lifted = positions[sensor] + solution.scene().rays->offset_m() * normals[sensor];
-    walked[i] = walk(solution, lifted, normals[sensor], walks, mesh::hash(seed, sensor));
-  });
-  return walked;
-}
 
 /// What the light of the scene would give its surfaces if it spread evenly [lux].
 double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
@@ -125,16 +50,16 @@ double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
 
 /// Mean illuminance of each grid's sensors as their walks saw it [lux]; zero where none walked.
 template <class GridOf>
-std::vector<double> means_of_grids(const std::vector<Walked>& walked, GridOf grid_of) {
+std::vector<double> means_of_grids(const std::vector<SensorWalk>& walks, GridOf grid_of) {
   std::vector<double> lux;
   std::vector<double> counts;
-  for (std::size_t i = 0; i < walked.size(); ++i) {
-    const std::size_t grid = grid_of(i);
+  for (const SensorWalk& walk : walks) {
+    const std::size_t grid = grid_of(walk);
     if (grid >= lux.size()) {
       lux.resize(grid + 1, 0.0);
       counts.resize(grid + 1, 0.0);
     }
-    lux[grid] += walked[i].lux;
+    lux[grid] += walk.lux;
     counts[grid] += 1.0;
   }
   for (std::size_t g = 0; g < lux.size(); ++g) lux[g] /= std::max(1.0, counts[g]);
@@ -181,21 +106,19 @@ void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
 
 }  // namespace
 
-Importance::Importance(Solution& solution, std::span<const Point> positions, std::span<const Vector> normals,
-                       std::uint64_t seed, std::span<const std::uint32_t> grids) {
+Importance::Importance(Solution& solution, const std::vector<SensorWalk>& walks, std::span<const std::uint32_t> grids) {
   const mesh::ElementTree& tree = solution.tree();
-  const std::vector<Walked> walked = walk_from(solution, positions, normals, seed);
-  const std::size_t walkers = walked.size();
-  const auto grid_of = [&](std::size_t walker) {
-    return grids.empty() ? 0U : grids[walker * positions.size() / walkers];
-  };
-  for (const Walked& w : walked) mean_lux_ += w.lux / static_cast<double>(walkers);
-  const std::vector<double> weights = weights_of_grids(means_of_grids(walked, grid_of), mean_lux_);
+  const std::size_t walkers = walks.size();
+  reached_sides_ = sides_reached(solution.scene(), walks);
+  const auto grid_of = [&](const SensorWalk& walk) { return grids.empty() ? 0U : grids[walk.sensor]; };
+  for (const SensorWalk& walk : walks) mean_lux_ += walk.lux / static_cast<double>(walkers);
+  const std::vector<double> weights = weights_of_grids(means_of_grids(walks, grid_of), mean_lux_);
   std::vector<Deposit> deposits;
-  for (std::size_t i = 0; i < walkers; ++i) {
-    for (Deposit d : walked[i].deposits) {
-      d.weight *= static_cast<float>(weights[grid_of(i)]);
-      deposits.push_back(d);
+  for (const SensorWalk& walk : walks) {
+    const auto weight = static_cast<float>(weights[grid_of(walk)]);
+    for (const SensorWalk::End& end : walk.ends) {
+      const ElementId node = tree.find(end.side, end.region, end.at);
+      if (node.valid()) deposits.push_back({node, end.at, end.weight * weight});
     }
   }
   mean_lux_ = std::max(mean_lux_, (walkers == 0 ? 1.0 : kDarkest) * even_lux(solution.scene(), tree));
@@ -208,8 +131,6 @@ Importance::Importance(Solution& solution, std::span<const Point> positions, std
       counts[e.index()] += 1.0;
     }
   }
-  reached_sides_.assign(2 * solution.scene().faces.count(), walkers == 0 ? 1 : 0);
-  for (const Deposit& d : deposits) reached_sides_[tree.face_side(d.node).index()] = 1;
   find_uneven(tree, own, counts);
   spread(tree, own, walkers == 0 ? 1.0 : kAreaShare);
 }

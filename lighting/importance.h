@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lighting/sensor_walks.h"
 #include "lighting/solution.h"
 
 namespace clerestory::lighting {
@@ -14,11 +15,10 @@ namespace clerestory::lighting {
 class Importance {
  public:
   /// Divides triangles on which many walks ended, so that it is known which of their parts matter.
-  /// @param positions, normals  sensors, local coordinates; may be empty: then every node matters by its area
+  /// @param walks  of walk_from_sensors(); may be empty: then every node matters by its area
   /// @param grids  the number of each sensor's grid, from 0; empty: all belong to one. An accuracy is a share of a grid's own light, so
   ///               that what the sensors of a dark grid see matters more than the same light elsewhere.
-  Importance(Solution& solution, std::span<const mesh::Point> positions, std::span<const mesh::Vector> normals,
-             std::uint64_t seed, std::span<const std::uint32_t> grids = {});
+  Importance(Solution& solution, const std::vector<SensorWalk>& walks, std::span<const std::uint32_t> grids = {});
 
   /// From here on nodes matter by their area, all together as much as they did: to tell what importance is worth.
   void forget_sensors(const mesh::ElementTree& tree);
@@ -30,7 +30,7 @@ class Importance {
   /// Mean illuminance of the sensors as the walks saw it [lux]: the scale of tolerances. Not less than a small share of what the
   /// scene's light would give all surfaces, so that dark rooms need no endless refinement; zero where nothing shines.
   [[nodiscard]] double mean_lux() const { return mean_lux_; }
-  /// [sides] non-zero where some walk ended, so that light from there is likely to come to the sensors; without sensors everywhere.
+  /// As sides_reached() tells them.
   [[nodiscard]] const std::vector<std::uint8_t>& reached_sides() const { return reached_sides_; }
 
  private:

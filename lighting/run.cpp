@@ -24,6 +24,7 @@
 #include "lighting/relighting.h"
 #include "lighting/resolve.h"
 #include "lighting/scene.h"
+#include "lighting/sensor_walks.h"
 #include "lighting/shower.h"
 #include "lighting/surface_values.h"
 #include "lighting/task_results.h"
@@ -158,11 +159,21 @@ std::vector<mesh::FaceLine> start_lines(const Scene& scene, Progress& progress) 
   return lines;
 }
 
+/// Non-zero for faces from which light is likely to come to the sensors: there elements will be small, and should have good angles. All others,
+/// in a large model nearly all, get as few start triangles as they can.
+std::vector<std::uint8_t> faces_reached(const Scene& scene, const std::vector<SensorWalk>& walks) {
+  const std::vector<std::uint8_t> sides = sides_reached(scene, walks);
+  std::vector<std::uint8_t> faces(scene.faces.count());
+  for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = sides[2 * f] | sides[2 * f + 1];
+  return faces;
+}
+
 /// No light yet, and a few elements a region of a face side: contacts and the lines are their edges.
-Solution unsolved(const Scene& scene, const std::vector<mesh::FaceLine>& lines, Progress& progress) {
+Solution unsolved(const Scene& scene, const StartMesh& with, Progress& progress) {
   mesh::MeshOptions options;
   options.max_size_m = kStartSizeM;
-  options.lines = lines;
+  options.lines = with.lines;
+  options.refined = with.refined;
   const mesh::Triangulation start = mesh::mesh_faces(scene.faces, options);
   progress.advance(kShareOfStartMesh);
   Solution solution(scene, mesh::ElementTree(scene.faces, start, scene.has_elements));
@@ -462,13 +473,14 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
 
   progress.leave_time(kWritingOfGridS * static_cast<double>(results.grids.size()));
   clock.begin("meshing", progress);
-  const std::vector<mesh::FaceLine> lines = start_lines(scene, progress);
-  Solution solution = unsolved(scene, lines, progress);
+  const std::uint64_t seed = mesh::mix(study.accuracy.seed);
+  const std::vector<SensorWalk> walks = walk_from_sensors(scene, sensors.positions, sensors.normals, seed);
+  const StartMesh start{start_lines(scene, progress), faces_reached(scene, walks)};
+  Solution solution = unsolved(scene, start, progress);
 
   clock.begin("direct light", progress);
   progress.enter(Stage::kDirectLight);
-  const std::uint64_t seed = mesh::mix(study.accuracy.seed);
-  Importance importance(solution, sensors.positions, sensors.normals, seed, sensors.grids);
+  Importance importance(solution, walks, sensors.grids);
   if (!study.parts.importance) importance.forget_sensors(solution.tree());
   const double target = study.accuracy.target;
   solution.limit_elements(for_direct_light(solution, study.mesh.max_elements));
@@ -495,7 +507,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
     answer(study, solved, clock, progress, results);
   else
     answer_moments(study, std::move(solved), clock, progress, results);
-  if (results.solution) store(lines, *results.solution);
+  if (results.solution) store(start, *results.solution);
   clock.end();
   return results;
 }
@@ -514,7 +526,7 @@ Results sense(const Study& asked, const StoredSolution& stored, Progress& watche
   const AllSensors sensors = place_all_sensors(study, scene, results, progress);
 
   clock.begin("meshing", progress);
-  Solution solution = unsolved(scene, lines_of(stored, scene), progress);
+  Solution solution = unsolved(scene, start_of(stored, scene), progress);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
   results.energy = stored.energy;
   results.counts.links = stored.links;

@@ -145,25 +145,32 @@ std::vector<ElementId> nodes_of(const Solution& solution) {
 
 LinearValue line_of(const std::array<float, 3>& row) { return {row[0], row[1], row[2]}; }
 
-void store(const std::vector<mesh::FaceLine>& lines, StoredSolution& stored) {
-  for (const mesh::FaceLine& line : lines) {
+void store(const StartMesh& start, StoredSolution& stored) {
+  for (const mesh::FaceLine& line : start.lines) {
     const auto& [a, b] = line.ends;
     stored.start_faces.push_back(line.face.value);
     stored.start_lines.push_back({a.x, a.y, a.z, b.x, b.y, b.z});
   }
+  for (std::uint32_t f = 0; f < start.refined.size(); ++f) {
+    if (start.refined[f] != 0) stored.start_refined.push_back(f);
+  }
 }
 
-std::vector<mesh::FaceLine> lines_of(const StoredSolution& stored, const Scene& scene) {
+StartMesh start_of(const StoredSolution& stored, const Scene& scene) {
   expect_same(stored.scene, hash_of(scene));
   if (stored.start_faces.size() != stored.start_lines.size()) damaged();
-  std::vector<mesh::FaceLine> lines;
+  StartMesh start{{}, std::vector<std::uint8_t>(scene.faces.count(), 0)};
   for (std::size_t i = 0; i < stored.start_faces.size(); ++i) {
     const std::array<double, 6>& p = stored.start_lines[i];
     const bool finite = std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
     if (stored.start_faces[i] >= scene.faces.count() || !finite) damaged();
-    lines.push_back({mesh::FaceId(stored.start_faces[i]), {mesh::Point{p[0], p[1], p[2]}, {p[3], p[4], p[5]}}});
+    start.lines.push_back({mesh::FaceId(stored.start_faces[i]), {mesh::Point{p[0], p[1], p[2]}, {p[3], p[4], p[5]}}});
   }
-  return lines;
+  for (const std::uint32_t f : stored.start_refined) {
+    if (f >= scene.faces.count()) damaged();
+    start.refined[f] = 1;
+  }
+  return start;
 }
 
 bool needs_solving(const StoredSolution& stored, const Scene& scene) {

@@ -22,14 +22,21 @@ struct LinearValue;
 struct Scene;
 struct Transport;
 
+/// What the start mesh of a tree is made with, besides the scene.
+struct StartMesh {
+  std::vector<mesh::FaceLine> lines;  ///< that elements do not cross, such as the edges of sun patches
+  std::vector<std::uint8_t> refined;  ///< [faces] as mesh::MeshOptions has it
+};
+
 /// A solution as it is kept: what its element tree has become, by numbers of nodes, and what its elements receive. The start of the tree
-/// follows from the scene, which the hash holds fast, and its lines.
+/// follows from the scene, which the hash holds fast, its lines, and which faces are refined.
 struct StoredSolution {
   SceneHash scene;
   double accuracy = 0.0;  ///< asked for
   std::uint32_t channels = 1;
   std::vector<std::uint32_t> start_faces;          ///< that have lines which elements do not cross
   std::vector<std::array<double, 6>> start_lines;  ///< of these, both ends [m, local coordinates]
+  std::vector<std::uint32_t> start_refined;        ///< faces whose start mesh is refined, ascending
   std::uint32_t roots = 0;                         ///< of the tree
   std::vector<std::uint32_t> divided;              ///< nodes, in the order in which they were
   std::vector<std::uint32_t> open;                 ///< nodes whose children take part, in order
@@ -67,11 +74,11 @@ StoredSolution store(const Solution& solution, const Transport& transport, const
 /// The direct light of a stored solution whose tree has been regrown. Throws InputError where it is damaged.
 KnownLight stored_light(const StoredSolution& stored, const Solution& solution);
 
-/// Adds the lines that the tree's elements did not cross from the start, such as the edges of sun patches.
-void store(const std::vector<mesh::FaceLine>& lines, StoredSolution& stored);
+/// Adds what the start mesh of the tree was made with.
+void store(const StartMesh& start, StoredSolution& stored);
 
-/// These lines. Throws InputError where they are damaged, or the scene is another, and says what has changed.
-std::vector<mesh::FaceLine> lines_of(const StoredSolution& stored, const Scene& scene);
+/// The same. Throws InputError where it is damaged, or the scene is another, and says what has changed.
+StartMesh start_of(const StoredSolution& stored, const Scene& scene);
 
 /// Whether surfaces reflect, or sources shine, otherwise than when the solution was stored.
 bool needs_solving(const StoredSolution& stored, const Scene& scene);

@@ -87,9 +87,18 @@ struct FaceMesh {
   PlanarMesh fine;
 };
 
+/// The coarsest mesh that has the lines.
+FaceMesh coarse_face(const PlanarMesh& shape, std::span<const std::array<Point2, 2>> lines, double line_distance_m,
+                     MeshReport& report) {
+  FaceMesh face{with_lines(shape, lines, line_distance_m), {}};
+  if (face.coarse.left_out > 0) ++report.faces_with_fewer_lines;
+  face.fine = face.coarse.mesh;
+  return face;
+}
+
 /// Where the lines are too fine the mesh is one without them; where the face is, it keeps its coarse triangles.
-FaceMesh mesh_face(const PlanarMesh& shape, double area, std::span<const std::array<Point2, 2>> lines,
-                   const SizeInPlane& size_at, const MeshOptions& options, MeshReport& report) {
+FaceMesh refined_face(const PlanarMesh& shape, double area, std::span<const std::array<Point2, 2>> lines,
+                      const SizeInPlane& size_at, const MeshOptions& options, MeshReport& report) {
   FaceMesh face{with_lines(shape, lines, options.line_distance_m), {}};
   std::optional<PlanarMesh> fine = refined(face.coarse.mesh, area, size_at, options);
   bool all_in = face.coarse.left_out == 0;
@@ -228,7 +237,10 @@ Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshRep
     for (const std::uint32_t i : by_face[f]) {
       lines.push_back({plane.project(options.lines[i].ends[0]), plane.project(options.lines[i].ends[1])});
     }
-    const FaceMesh face = mesh_face(in_plane(faces, FaceId(f)), faces.faces[f].area_m2, lines, size_at, options, told);
+    const PlanarMesh shape = in_plane(faces, FaceId(f));
+    const bool refines = options.refined.empty() || options.refined[f] != 0;
+    const FaceMesh face = refines ? refined_face(shape, faces.faces[f].area_m2, lines, size_at, options, told)
+                                  : coarse_face(shape, lines, options.line_distance_m, told);
     told.lines += lines.size();
     told.lines_merged += face.coarse.merged;
     told.line_length_m += face.coarse.length_m;

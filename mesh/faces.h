@@ -99,6 +99,8 @@ struct MeshOptions {
   /// Where given, the longest edge of an element at a point of a face as well [m].
   std::function<double(FaceId, const Point&)> size_at{};
   std::span<const std::uint8_t> wanted{};  ///< [faces] zero: it gets no triangles; empty: all get some
+  /// [faces] zero: it has as few triangles as its boundary, contacts and lines allow, at any angles; empty: all are refined.
+  std::span<const std::uint8_t> refined{};
   /// Lines, or parts of lines, nearer to each other than this are one, the first of them; no line is displaced by more [m].
   double line_distance_m = 1e-3;
 };
@@ -116,7 +118,7 @@ struct MeshReport {
   std::size_t faces_with_fewer_lines = 0;
 };
 
-/// Constrained Delaunay refinement of every face with its contacts and lines [Ruppert 1995; Shewchuk 2002], regions as in `shape`.
+/// Constrained Delaunay triangulation, refined where that is asked for, of every face with its contacts and lines [Ruppert 1995; Shewchuk 2002], regions as in `shape`.
 Triangulation mesh_faces(const Faces& faces, const MeshOptions& options, MeshReport* report = nullptr);
 
 }  // namespace clerestory::mesh

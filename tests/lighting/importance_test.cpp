@@ -33,7 +33,7 @@ double sum_over_roots(const test::Stage& stage, const Importance& importance) {
 
 TEST(Importance, WithoutSensorsFollowsTheArea) {
   test::Stage stage(room_study(0.5));
-  const Importance importance(stage.solution, {}, {}, 1);
+  const Importance importance(stage.solution, {});
   for (const ElementId e : stage.solution.tree().roots()) {
     EXPECT_NEAR(importance.of(stage.solution.tree(), e), stage.solution.tree().area(e) / kSides_m2, 1e-6);
   }
@@ -42,7 +42,7 @@ TEST(Importance, WithoutSensorsFollowsTheArea) {
 TEST(Importance, OfABlackRoomIsWhatTheSensorSees) {
   // Over the middle of the floor: four rectangles of 2 m × 2 m at 2.5 m over a corner [Howell, B-3].
   test::Stage stage(room_study(0.0));
-  const Importance importance(stage.solution, stage.positions, stage.normals, 1);
+  const Importance importance(stage.solution, stage.walks(1));
   EXPECT_NEAR(sum_over_roots(stage, importance), 1.0 + kByArea, 1e-3);
   const double a = 2.0 / 2.5;
   const double s = std::sqrt(1.0 + a * a);
@@ -54,14 +54,14 @@ TEST(Importance, OfABlackRoomIsWhatTheSensorSees) {
 
 TEST(Importance, OfALightRoomGrowsByEachReflection) {
   test::Stage stage(room_study(0.5));
-  const Importance importance(stage.solution, stage.positions, stage.normals, 1);
+  const Importance importance(stage.solution, stage.walks(1));
   // Walks of five bounces: 1 + ρ + ρ² + ρ³ + ρ⁴.
   EXPECT_NEAR(sum_over_roots(stage, importance), 1.9375 + kByArea, 2e-3);
 }
 
 TEST(Importance, OfPartsAddsUpToTheWhole) {
   test::Stage stage(room_study(0.5));
-  const Importance importance(stage.solution, stage.positions, stage.normals, 1);
+  const Importance importance(stage.solution, stage.walks(1));
   for (const ElementId root : stage.roots("ceiling")) {
     for (int depth = 0; depth < 3; ++depth) {
       for (const ElementId e : stage.solution.elements()) {
@@ -87,7 +87,7 @@ TEST(Importance, LiesUnevenlyWhereASensorIsClose) {
   study.grids[0].normals = {{0, -1, 0}};
   test::shine(test::material(study, "ceiling"), 100.0);
   test::Stage stage(study);
-  const Importance importance(stage.solution, stage.positions, stage.normals, 1);
+  const Importance importance(stage.solution, stage.walks(1));
   double uneven = 0.0;
   for (const ElementId e : stage.roots("wall")) uneven = std::max(uneven, importance.uneven(e));
   EXPECT_GT(uneven, 0.4);
@@ -99,14 +99,14 @@ TEST(Importance, KnowsTheMeanIlluminanceOfTheSensors) {
   Study study = room_study(0.5);
   for (Material& m : study.materials) test::shine(m, 100.0);
   test::Stage stage(study);
-  EXPECT_NEAR(Importance(stage.solution, stage.positions, stage.normals, 1).mean_lux(), 193.75, 0.2);
+  EXPECT_NEAR(Importance(stage.solution, stage.walks(1)).mean_lux(), 193.75, 0.2);
 }
 
 TEST(Importance, SensorUnderTheOpenSkySeesItsHorizontalIlluminance) {
   Study study = test::study_of(support::facing_squares(), 0.0, {5, 5, 2});
   study.sky.type = Sky::Type::kCieOvercast;
   test::Stage stage(study);
-  EXPECT_NEAR(Importance(stage.solution, stage.positions, stage.normals, 1).mean_lux(), 10'000.0, 50.0);
+  EXPECT_NEAR(Importance(stage.solution, stage.walks(1)).mean_lux(), 10'000.0, 50.0);
 }
 
 }  // namespace

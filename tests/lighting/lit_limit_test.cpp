@@ -49,7 +49,7 @@ Study ball_in_a_room(double reflectance, double chord_tolerance_m) {
 SurfaceResult shown_surfaces(const Study& study) {
   test::Stage stage(study);
   NoProgress nobody;
-  const Importance importance(stage.solution, stage.positions, stage.normals, kSeed);
+  const Importance importance(stage.solution, stage.walks(kSeed));
   DirectLight direct = light_directly(stage.solution, importance, 0.002 * kAccuracy, kSeed, nobody);
   const Transport transport = solve(stage.solution, importance, direct, {.accuracy = kAccuracy, .seed = kSeed}, nobody);
   const LocalPass local(stage.solution, transport.errors, direct.nodes, kAccuracy, 0.05 * importance.mean_lux());

@@ -36,7 +36,7 @@ Study crowded_room() {
 
 struct Found {
   explicit Found(double goal_lux) : stage(crowded_room()) {
-    const Importance importance(stage.solution, stage.positions, stage.normals, 1);
+    const Importance importance(stage.solution, stage.walks(1));
     NoProgress unwatched;
     receivers = find_receivers(stage.solution, importance, {kScaleLux, goal_lux, 1}, unwatched);
   }

@@ -12,11 +12,13 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "mesh/error.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/lamps.h"
 #include "tests/support/shapes.h"
+#include "tests/support/surface_checks.h"
 
 namespace clerestory::lighting {
 namespace {
@@ -73,6 +75,22 @@ TEST(Run, ElementsDoNotCrossTheShadowEdgeOfALuminaire) {
     ++cells;
   }
   EXPECT_GT(cells, 10);
+}
+
+TEST(Run, StartElementsAreRefinedWhereSensorsLookAlone) {
+  mesh::Model model = support::box_room(4, 4, 3);
+  support::add_quad(model, {20, 0, 0}, {21, 0, 0}, {21, 0.1, 0}, {20, 0.1, 0}, {"far", "far"});
+  Study study = test::study_of(std::move(model), 0.5, {1, 1, 0.8});
+  test::shine(test::material(study, "ceiling"), 100.0);
+  study.keep_solution = true;
+  const Results results = answer(study);
+  const Scene scene = build_scene(study);
+  std::vector<std::uint32_t> inside;
+  for (const char* name : {"floor", "wall", "ceiling"}) {
+    for (const mesh::FaceId face : support::faces_of(scene.faces, name)) inside.push_back(face.value);
+  }
+  ASSERT_TRUE(results.solution.has_value());
+  EXPECT_THAT(results.solution->start_refined, testing::UnorderedElementsAreArray(inside));
 }
 
 TEST(Run, TwiceGivesTheSameBits) {

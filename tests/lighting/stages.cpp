@@ -51,7 +51,7 @@ std::vector<mesh::ElementId> Stage::roots(const std::string& material, mesh::Sid
 mesh::ElementId Stage::root(const std::string& material, mesh::Side side) const { return roots(material, side).at(0); }
 
 Solved::Solved(const Study& study)
-    : Stage(study), importance(solution, positions, normals, kSeed), transport(solve_all(*this, importance, study)) {}
+    : Stage(study), importance(solution, walks(kSeed)), transport(solve_all(*this, importance, study)) {}
 
 double Solved::mean_illuminance(const std::vector<mesh::ElementId>& nodes, std::size_t channel) const {
   double flux = 0.0;

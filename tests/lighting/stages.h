@@ -21,6 +21,10 @@ struct Stage {
   Stage& operator=(const Stage&) = delete;
 
   [[nodiscard]] mesh::Point local(const mesh::Point& p) const { return p - scene.faces.origin; }
+  /// From its sensors.
+  [[nodiscard]] std::vector<SensorWalk> walks(std::uint64_t seed) const {
+    return walk_from_sensors(scene, positions, normals, seed);
+  }
   /// The first root on a side of the first face of a material.
   [[nodiscard]] mesh::ElementId root(const std::string& material, mesh::Side side = mesh::Side::kFront) const;
   /// All roots on a side of all faces of a material.

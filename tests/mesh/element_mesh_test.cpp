@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -74,6 +75,26 @@ TEST(ElementMesh, KeepsContactsAndRegions) {
         EXPECT_EQ(support::triangles_cut(mesh, FaceId(f), from, to), 0U);
       }
     }
+  }
+}
+
+TEST(ElementMesh, FacesThatAreNotRefinedHaveTheFewestTrianglesAndKeepTheirRegions) {
+  // A strip of 10 cm between contacts on a wall of 6 m: the angle bound would cut it into pieces of its width.
+  const Faces faces = faces_from(support::two_rooms_with_thin_wall({.thickness_m = 0.1}));
+  const FaceId floor = support::faces_of(faces, "floor").at(0);
+  std::vector<std::uint8_t> refined(faces.count(), 1);
+  refined[floor.index()] = 0;
+  const Triangulation mesh = mesh_faces(faces, {.max_size_m = 0.5, .refined = refined});
+  const Triangulation all = mesh_faces(faces, {.max_size_m = 0.5});
+  expect_same_areas(faces, mesh);
+  EXPECT_EQ(mesh.of(floor).size(), faces.shape.of(floor).size());
+  EXPECT_GT(all.of(floor).size(), 5 * mesh.of(floor).size());
+  std::set<std::uint32_t> regions;
+  for (const Triangle& t : mesh.of(floor)) regions.insert(t.region);
+  EXPECT_EQ(regions.size(), 3U);
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    if (refined[f] == 0) continue;
+    EXPECT_EQ(mesh.of(FaceId(f)).size(), all.of(FaceId(f)).size());
   }
 }
 

@@ -123,7 +123,7 @@ std::vector<float> without_rooms(const lighting::Study& study) {
   const double target = study.accuracy.target;
   const std::uint64_t seed = study.accuracy.seed;
   NoProgress nobody;
-  const lighting::Importance importance(stage.solution, stage.positions, stage.normals, seed);
+  const lighting::Importance importance(stage.solution, stage.walks(seed));
   lighting::DirectLight direct = lighting::light_directly(stage.solution, importance, 0.002 * target, seed, nobody);
   const lighting::Transport transport =
       lighting::solve(stage.solution, importance, std::move(direct), {.accuracy = target, .seed = seed}, nobody);
