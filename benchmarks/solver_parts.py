@@ -4,7 +4,7 @@
 
     benchmarks/solver_parts.py [--program build/release/benchmarks/solver_parts] [--repeat 3] [-o docs/what-each-part-saves.md]
 
-Needs the target solver_parts, rays_benchmark for the machine's rate, and the reference scenes (see validation.py)."""
+Needs the targets solver_parts and ray_order, rays_benchmark for the machine's rate, and the reference scenes (see validation.py)."""
 import argparse
 import csv
 import datetime
@@ -43,11 +43,11 @@ BUNDLES = """
 ## Rays in bundles
 
 Rays are cast pair by pair, sensor by sensor and opening by opening, so that those that follow each other take the same way through the ray
-tracer's tree. What that saves is seen in the ray tracer's own rate on `office`, by the run's summary, against the machine's rate for rays without any
-order, above; the latter is of a hall with 51,600 triangles.
+tracer's tree. Here all rays of a run are recorded (`benchmarks/ray_order.cpp`) and cast once more by the same functions: in the order of the run, and
+in random order. Bundles save what the tree's nodes cost to fetch: little where all of it is in the cache, as in the office, a third or more in the atrium.
 
-| phase | rays | million a second in the ray tracer |
-|---|---|---|
+| scene, accuracy asked | phase | rays | in the order of the run s | in random order s | million a second in order |
+|---|---|---|---|---|---|
 """
 
 
@@ -94,17 +94,16 @@ def rows(program, scene, repeat, folder):
                 yield line
 
 
-def bundles(program, folder):
-    """How fast the ray tracer is with rays in the order in which a run casts them."""
-    study = folder / "office.toml"
-    study.write_text(validation.study_text("office"))
-    results = folder / "results"
-    subprocess.run([program, "daylight", study, "-o", results, "--threads", "1", "--quiet"], check=True)
-    summary = json.loads((results / "summary.json").read_text())
-    for phase in ("direct light", "linking", "gathering"):
-        rays = summary["rays"][phase]
-        seconds = rays["share_of_time"] * summary["cpu_seconds"][phase]
-        yield f"| {phase} | {rays['count']:,} | {rays['count'] / seconds / 1e6:.1f} |"
+def bundles(program, scene, folder):
+    """How long the rays of a run take in the order in which it casts them, and in another."""
+    study = folder / f"{scene}.toml"
+    study.write_text(validation.study_text(scene))
+    accuracy = SCENES[scene][0]
+    out = subprocess.run([program, study, validation.SCENES[scene][0], str(accuracy)], check=True, capture_output=True, text=True).stdout
+    for phase in map(json.loads, out.splitlines()):
+        if phase["phase"] in ("direct light", "linking", "gathering"):
+            yield (f"| {scene}, {100 * accuracy:g} % | {phase['phase']} | {phase['rays']:,} | {phase['in_order_s']:.2f} | "
+                   f"{phase['shuffled_s']:.2f} | {phase['rays'] / phase['in_order_s'] / 1e6:.1f} |")
 
 
 def main():
@@ -123,7 +122,9 @@ def main():
             for line in rows(program, scene, arguments.repeat, Path(folder)):
                 print(line, flush=True)
                 text += line + "\n"
-        text += BUNDLES + "".join(line + "\n" for line in bundles(program.parents[1] / "clerestory", Path(folder)))
+        text += BUNDLES
+        for scene in SCENES:
+            text += "".join(line + "\n" for line in bundles(program.with_name("ray_order"), scene, Path(folder)))
     arguments.out.write_text(text)
 
 
