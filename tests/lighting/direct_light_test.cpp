@@ -17,7 +17,7 @@ using mesh::Point;
 
 /// Direct light of a study, with its solution as it stands after it.
 struct Lit : test::Stage {
-  explicit Lit(const Study& study) : Stage(study), importance(solution, positions, normals, 1) {
+  explicit Lit(const Study& study) : Stage(study), importance(solution, walks(1)) {
     NoProgress nobody;
     light = light_directly(solution, importance, 0.002 * 0.02, 1, nobody);
     solution.push_pull();

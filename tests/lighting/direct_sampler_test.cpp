@@ -25,7 +25,7 @@ constexpr double kFloorToCeiling = 0.28273279;
 
 struct Sampled : test::Stage {
   explicit Sampled(const Study& study, double tolerance = 1e-4)
-      : Stage(study), importance(solution, positions, normals, 1), sampler(solution, importance, tolerance, 1) {}
+      : Stage(study), importance(solution, walks(1)), sampler(solution, importance, tolerance, 1) {}
 
   /// Of a root that may see everything.
   [[nodiscard]] DirectSurvey survey(const std::string& material, mesh::Side side = mesh::Side::kFront) const {

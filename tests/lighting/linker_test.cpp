@@ -23,7 +23,7 @@ constexpr double kLenient_lux = 1e9;
 /// All that a linker needs, over surfaces that shine on both sides.
 struct Pairs : test::Stage {
   explicit Pairs(const Study& study)
-      : Stage(study), importance(solution, {}, {}, 1), clusters((solution.push_pull(), scene), solution.tree()) {
+      : Stage(study), importance(solution, {}), clusters((solution.push_pull(), scene), solution.tree()) {
     clusters.pull(solution);
   }
   [[nodiscard]] LinkDecision decide(ElementId receiver, LinkSource source, double tolerance_lux = kStrict_lux) const {

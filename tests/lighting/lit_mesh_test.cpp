@@ -52,7 +52,7 @@ class LitFloor : public test::Stage {
   explicit LitFloor(bool with_plate)
       : Stage(study_of(lamp(with_plate))),
         lamp_(lamp(with_plate)),
-        importance_(solution, positions, normals, kSeed),
+        importance_(solution, walks(kSeed)),
         direct_(light_directly(solution, importance_, 1e-4, kSeed, nobody_)),
         transport_(solve(solution, importance_, direct_, {.accuracy = 0.02, .seed = kSeed}, nobody_)),
         local_(solution, transport_.errors, direct_.nodes, 0.02, 1.0),

@@ -35,7 +35,7 @@ constexpr double kExact = 0.001;
 struct Lit : test::Stage {
   explicit Lit(const Study& study, double accuracy = kExact)
       : Stage(study),
-        importance(solution, positions, normals, kSeed),
+        importance(solution, walks(kSeed)),
         direct(light_directly(solution, importance, 0.002 * study.accuracy.target, kSeed, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = kSeed}, nobody)),
         local_pass(solution, transport.errors, direct.nodes, accuracy, 0.05 * importance.mean_lux()) {}

@@ -28,7 +28,7 @@ struct LampOverFloor : test::Stage {
   }
   LampOverFloor()
       : Stage(study()),
-        importance(solution, positions, normals, kSeed),
+        importance(solution, walks(kSeed)),
         direct(light_directly(solution, importance, 1e-4, kSeed, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = 0.02, .seed = kSeed}, nobody)),
         local_pass(solution, transport.errors, direct.nodes, 0.02, 1.0) {}

@@ -15,7 +15,7 @@ namespace {
 struct Shown : test::Stage {
   explicit Shown(const Study& study)
       : Stage(study),
-        importance(solution, positions, normals, 1),
+        importance(solution, walks(1)),
         direct(light_directly(solution, importance, 0.002 * study.accuracy.target, 1, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = 1}, nobody)),
         shower(study, solution, transport.errors, direct.nodes, importance, nobody) {}
