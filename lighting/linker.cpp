@@ -33,9 +33,6 @@ constexpr double kSmallest = 0.015;    ///< elements of a smaller radius are not
 constexpr float kLeastReflectance = 0.2F;
 /// Products of outlines up to this are integrated exactly; beyond it the mean of the places does.
 constexpr std::size_t kExactPairs = 512;
-/// Size of a triangle over its distance from a larger piece up to which the rule of degree 5 gives the mean form factor as well as contour
-/// integrals do: over random pairs of triangles to 1e-4 of it, to 1e-5 in 95 of 100.
-constexpr double kRuled = 0.4;
 /// Mean squares between places over those within them from which on places differ: by chance, 7 places of 4 rays come to it once in a
 /// hundred times (the F distribution of 6 and 21 degrees of freedom).
 constexpr double kDiffer = 3.81;
@@ -100,12 +97,6 @@ Places places_on(const mesh::ElementTree& tree, ElementId e) {
     }
   }
   return places;
-}
-
-/// Whether the mean of the places on a piece is the form factor of a larger one.
-bool is_ruled(const mesh::ElementTree& tree, ElementId small, ElementId large) {
-  const double apart = norm(tree.centroid(large) - tree.centroid(small)) - tree.radius(large);
-  return tree.start_triangle_count(small) <= 2 && tree.radius(small) <= kRuled * apart;
 }
 
 /// One piece as seen from another: form factors from its places, and how they run over it.
@@ -495,8 +486,7 @@ std::optional<Link> Linker::link_element(const LinkCandidate& candidate) const {
   const View small = look(scene, tree, receiver_small ? r : s, receiver_small ? s : r, rays, seed_);
   const View large = look(scene, tree, receiver_small ? s : r, receiver_small ? r : s, RaysFrom::kNobody, seed_);
   double exchange = small.unoccluded * std::min(tree.area(r), tree.area(s));
-  const bool ruled = receiver_small ? is_ruled(tree, r, s) : is_ruled(tree, s, r);
-  if (!ruled && source_lies.all_in_front && receiver_lies.all_in_front) {
+  if (source_lies.all_in_front && receiver_lies.all_in_front) {
     std::array<OutlineEdge, 3> scratch_r;
     std::array<OutlineEdge, 3> scratch_s;
     const auto outline_r = tree.outline(r, scratch_r);

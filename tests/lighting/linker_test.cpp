@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "lighting/form_factor.h"
@@ -74,21 +73,6 @@ TEST(Linker, ProvenViewHasTheExactFormFactor) {
   EXPECT_NEAR(link.factor, 0.19982490, 1e-5);
   EXPECT_NEAR(link.slope_u, 0.0, 2e-3) << "symmetric";
   EXPECT_NEAR(link.slope_v, 0.0, 2e-3);
-}
-
-TEST(Linker, FarSmallPieceHasTheFormFactorOfTheContourIntegral) {
-  mesh::Model model;
-  support::add_quad(model, {0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.2}, {0, 1, 0}, {"lower", "lower"});
-  support::add_quad(model, {0, 0, 3}, {0, 2, 3}, {1, 2, 3}, {1, 0, 3}, {"upper", "upper"});
-  const Pairs pairs(shining(std::move(model)));
-  const mesh::ElementTree& tree = pairs.solution.tree();
-  const ElementId lower = pairs.root("lower");
-  const ElementId upper = pairs.root("upper");
-  std::array<mesh::OutlineEdge, 3> scratch;
-  std::array<mesh::OutlineEdge, 3> other_scratch;
-  const double exact = exchange_area(tree.outline(lower, scratch), tree.outline(upper, other_scratch));
-  EXPECT_NEAR(pairs.exchange(lower, upper), exact, 1e-5 * exact);
-  EXPECT_NEAR(pairs.exchange(upper, lower), exact, 1e-5 * exact);
 }
 
 TEST(Linker, MutualLinkIsTheSameSeenFromEitherEnd) {
