@@ -15,6 +15,7 @@
 #include "lighting/parallel.h"
 #include "lighting/replicates.h"
 #include "lighting/seen_factor.h"
+#include "lighting/sensor_looker.h"
 #include "lighting/sun_light.h"
 #include "mesh/phase_part.h"
 
@@ -27,12 +28,9 @@ using mesh::Visibility;
 
 namespace {
 
-/// Errors are brought to this share of the accuracy: sampling takes what discretisation leaves of it, and half of it anyway, since more
-/// rays cannot mend what the solution has wrong.
-constexpr double kAimed = 0.85;
+/// Sampling takes what discretisation leaves of the error that is aimed at, and half of it anyway, since more rays cannot mend what the
+/// solution has wrong.
 constexpr double kLeastSampling = 0.5;
-/// The same for the samples of the solution's errors, of which there are eight.
-constexpr double kStudentOfSamples = 2.37 / 2.0;
 constexpr double kMostFirstDoublings = 5.0;  ///< of the rays that all sensors begin with
 constexpr std::uint32_t kMostRays = 65536;   ///< a replicate and part
 /// Openings that the first ray of each replicate has missed are looked into where what these may have missed is more than this share of the
@@ -53,7 +51,6 @@ constexpr double kManyRays = 8.0;
 constexpr double kManyRaysUnderSun = 128.0;
 
 using Replicates = std::array<double, kReplicates>;
-using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
 /// One part of a sensor's light: sums over rays, a replicate each.
 struct Part : SensorPart {
@@ -114,30 +111,6 @@ struct SensorState {
   }
 };
 
-/// Adds up the light along a ray.
-struct Looker {
-  const Solution* solution;
-  const SolutionErrors* errors;
-  double lux = 0.0;
-  ErrorSums wrong{};  ///< what the light of surfaces may be wrong by
-
-  void surface(const SurfacePoint& seen, float weight, bool with_emission) {
-    const ElementId e = solution->element_at(seen.side, seen.region, seen.at);
-    if (!e.valid()) return;
-    const Scene& scene = solution->scene();
-    float b = 0.0F;
-    for (std::size_t c = 0; c < scene.channels; ++c) {
-      b += scene.channel_weights[c] * solution->radiosity_at(e, seen.at, c, with_emission);
-    }
-    lux += static_cast<double>(weight) * b;
-    const SolutionErrors::Samples samples = errors->radiosity(*solution, e, seen.at);
-    for (std::size_t k = 0; k < samples.size(); ++k) wrong[k] += static_cast<double>(weight) * samples[k];
-  }
-  void sky(const Vector& direction, float weight, bool) {
-    lux += weight * std::numbers::pi * sky_luminance(solution->scene().sky, direction);
-  }
-};
-
 /// Adds rays up to a part.
 struct PartTaker {
   const Solution* solution;
@@ -146,7 +119,7 @@ struct PartTaker {
 
   template <class Trace, class Scale>
   void ray(std::size_t r, const Trace& trace, const Scale& scale) {
-    Looker looker{solution, errors};
+    SensorLooker looker{solution, errors};
     trace(looker);
     part->sums[r] += scale(looker.lux);
     for (std::size_t k = 0; k < looker.wrong.size(); ++k) part->wrong[k] += scale(looker.wrong[k]);
@@ -335,9 +308,7 @@ class Gatherer {
       if (norm <= 0.0) continue;
       for (std::size_t k = 0; k < wrong.size(); ++k) wrong[k] += part.wrong[k] / norm;
     }
-    double square = 0.0;
-    for (const double lux : wrong) square += lux * lux / static_cast<double>(wrong.size());
-    state.discretisation_lux = std::hypot(kStudentOfSamples * std::sqrt(square), state.luminaires_lux);
+    state.discretisation_lux = std::hypot(error_of(wrong), state.luminaires_lux);
   }
 
   const Solution& solution_;

@@ -30,7 +30,7 @@ using mesh::Visibility;
 namespace {
 
 /// Tolerances of the passes, as multiples of the last.
-constexpr std::array<double, 3> kPasses{16.0, 4.0, 1.0};
+constexpr std::array<double, 3> kPasses{9.0, 3.0, 1.0};
 /// Shares of the time of linking at which the passes end, measured on the validation scenes.
 constexpr std::array<double, kPasses.size()> kEndOfPass{0.3, 0.5, 0.9};
 constexpr double kEndOfMirrors = 0.94;
@@ -59,19 +59,7 @@ class Solver {
     progress_.phase("linking");
     solution_.push_pull();
     clusters_.pull(solution_);
-    std::vector<LinkCandidate> start = begin();
-    for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
-      const Linker linker(solution_, clusters_, channels_, importance_,
-                          kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_, options_.seed);
-      if (pass > 0) start = reopen(linker);
-      refine(linker, std::move(start), {pass > 0 ? kEndOfPass[pass - 1] : 0.0, kEndOfPass[pass]});
-      const bool last = pass + 1 == kPasses.size() || progress_.should_finish();
-      if (last) hand_down(linker);
-      sort_links(false);
-      iterate();
-      if (last) break;
-      tell_channels_apart();
-    }
+    refine_in_passes();
     progress_.advance(kEndOfPass.back());
     see_mirrors();
     progress_.advance(kEndOfMirrors);
@@ -80,6 +68,7 @@ class Solver {
     progress_.advance(kEndOfClosing);
     add_errors_of_looks();
     part_given_errors();
+    add_errors_of_suns();
     add_link_errors(solution_, clusters_, arrivals_);
     SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
     progress_.advance(1.0);
@@ -90,6 +79,31 @@ class Solver {
   }
 
  private:
+  /// Each pass is finer than the one before, which has told where light is; the last one is where links are good enough for the sensors.
+  void refine_in_passes() {
+    std::vector<LinkCandidate> start = begin();
+    for (std::size_t pass = 0; pass < kPasses.size(); ++pass) {
+      const Linker linker(solution_, clusters_, channels_, importance_,
+                          kPasses[pass] * options_.link_share * options_.accuracy * scale_lux_, options_.seed);
+      bool last = pass + 1 == kPasses.size();
+      if (pass > 0) {
+        start = reopen(linker);
+        if (start.empty() && !last) continue;
+      }
+      refine(linker, std::move(start), {pass > 0 ? kEndOfPass[pass - 1] : 0.0, kEndOfPass[pass]});
+      last = last || progress_.should_finish();
+      if (last) hand_down(linker);
+      sort_links(!last);
+      iterate();
+      if (last) break;
+      if (is_good_enough()) {
+        hand_down(linker);
+        break;
+      }
+      tell_channels_apart();
+    }
+  }
+
   /// Lets those who do so look around, and gives the links to begin with.
   std::vector<LinkCandidate> begin() {
     const bool few = clusters_.are_few();
@@ -395,7 +409,23 @@ class Solver {
   void part_given_errors() {
     given_errors_ = solution_.errors();
     if (options_.keep_link_errors) given_lm_ = sunless_flux(solution_, {suns_.begin(), suns_.end()});
+  }
+
+  void add_errors_of_suns() {
     for (const SunDirect& sun : suns_) solution_.add_error(sun.node, sun.errors.noise2, sun.errors.misfit2);
+  }
+
+  /// Whether what the errors of the solution make at the sensors leaves enough of the accuracy to the sensors' own rays.
+  bool is_good_enough() {
+    if (!options_.error_at_sensors) return false;
+    const std::vector<Solution::Errors> given = solution_.errors();
+    add_errors_of_looks();
+    add_errors_of_suns();
+    add_link_errors(solution_, clusters_, arrivals_);
+    const SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
+    const double error = options_.error_at_sensors(errors);
+    solution_.set_errors(given);
+    return error <= options_.discretisation_share * options_.accuracy;
   }
 
   /// How unevenly surfaces shine in bands and in source groups, where these are asked for: refinement follows the worst of them.

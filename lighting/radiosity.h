@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "lighting/arrivals.h"
@@ -41,12 +42,17 @@ struct SolveOptions {
   double node_share = 0.02;
   /// The same for the rays of one link to a pane.
   double mirror_share = 0.1;
+  /// What errors of a solution make at the sensors, as a share of their light; empty: links are refined as far as `link_share` says.
+  std::function<double(const SolutionErrors&)> error_at_sensors = {};
+  /// Refinement ends where that is no more than this share of the accuracy: the larger part is the sensors' own rays', which cost less to add.
+  double discretisation_share = 0.5;
   bool clusters = true;           ///< as SolverParts has it
   bool keep_link_errors = false;  ///< for a solution that is stored
 };
 
 /// Hierarchical radiosity: links refined from coarse to fine [multigridding: Hanrahan, Salzman, Aupperle 1991], solved by
-/// gathering with push and pull until what is missing is far below the accuracy.
+/// gathering with push and pull until what is missing is far below the accuracy. Refinement ends where the errors at the sensors are small
+/// enough, where these are told, or at the tolerance of a link.
 /// Roots that hardly matter to the sensors look around by rays instead of linking to all that surrounds them.
 /// Where the progress says that it should finish, or the solution may have no more elements, pairs are linked as they are, and the errors
 /// of the solution say so.

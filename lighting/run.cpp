@@ -24,6 +24,7 @@
 #include "lighting/relighting.h"
 #include "lighting/resolve.h"
 #include "lighting/scene.h"
+#include "lighting/sensor_probe.h"
 #include "lighting/sensor_walks.h"
 #include "lighting/shower.h"
 #include "lighting/surface_values.h"
@@ -447,6 +448,17 @@ void sense_anew(const Study& study, const StoredSolution& stored, Solved solved,
   gather_all(study, solved, transport.errors, groups, clock, progress, results);
 }
 
+/// Tells what errors of the solution make at some of the sensors; nothing where light is told apart: what is an error of one part may cancel in
+/// the sum of all, and another mix would show it.
+std::function<double(const SolutionErrors&)> probe_of(const Study& study, const Solution& solution,
+                                                      const AllSensors& sensors, std::uint64_t seed) {
+  const Scene& scene = solution.scene();
+  const bool told_apart = study.keep_solution || scene.groups.has_columns() || solution.channels() > 1;
+  if (told_apart || sensors.positions.empty()) return {};
+  return [&solution, probe = SensorProbe(scene, sensors.positions, sensors.normals, sensors.grids, seed)](
+             const SolutionErrors& errors) { return probe.discretisation(solution, errors); };
+}
+
 ThreadLimit& thread_limit() {
   static ThreadLimit limit;
   return limit;
@@ -494,6 +506,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   solved.transport = solve(solution, importance, std::move(direct),
                            {.accuracy = target,
                             .seed = seed,
+                            .error_at_sensors = probe_of(study, solution, sensors, seed),
                             .clusters = study.parts.clusters,
                             .keep_link_errors = study.keep_solution || !study.moments.empty()},
                            progress);

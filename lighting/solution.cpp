@@ -72,6 +72,13 @@ std::vector<Solution::Errors> Solution::errors() const {
   return all;
 }
 
+void Solution::set_errors(std::span<const Errors> errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    noise2_[i] = errors[i].noise2;
+    misfit2_[i] = errors[i].misfit2;
+  }
+}
+
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
   return element_at(tree_.find_start(side, region, point), point);
 }

@@ -134,6 +134,8 @@ class Solution {
   };
   /// Of all nodes.
   [[nodiscard]] std::vector<Errors> errors() const;
+  /// As errors() gave them.
+  void set_errors(std::span<const Errors> errors);
   /// Standard errors of what a node receives itself [lux].
   [[nodiscard]] float noise(mesh::ElementId e) const { return std::sqrt(noise2_[e.index()]); }
   [[nodiscard]] float misfit(mesh::ElementId e) const { return std::sqrt(misfit2_[e.index()]); }
