@@ -448,13 +448,12 @@ void sense_anew(const Study& study, const StoredSolution& stored, Solved solved,
   gather_all(study, solved, transport.errors, groups, clock, progress, results);
 }
 
-/// Tells what errors of the solution make at some of the sensors; nothing where light is told apart: what is an error of one part may cancel in
-/// the sum of all, and another mix would show it.
+/// Tells what errors of the solution make at some of the sensors; nothing where other questions will be asked of it: by other moments, or by
+/// those who read what is stored.
 std::function<double(const SolutionErrors&)> probe_of(const Study& study, const Solution& solution,
                                                       const AllSensors& sensors, std::uint64_t seed) {
   const Scene& scene = solution.scene();
-  const bool told_apart = study.keep_solution || scene.groups.has_columns() || solution.channels() > 1;
-  if (told_apart || sensors.positions.empty()) return {};
+  if (study.keep_solution || !study.moments.empty() || sensors.positions.empty()) return {};
   return [&solution, probe = SensorProbe(scene, sensors.positions, sensors.normals, sensors.grids, seed)](
              const SolutionErrors& errors) { return probe.discretisation(solution, errors); };
 }

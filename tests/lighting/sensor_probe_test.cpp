@@ -59,7 +59,7 @@ TEST(SensorProbe, TellsNothingWithoutSensors) {
 std::size_t links(double told) {
   const Study study = lit_room(0.02);
   test::Stage stage(study);
-  const Importance importance(stage.solution, stage.positions, stage.normals, kSeed);
+  const Importance importance(stage.solution, stage.walks(kSeed));
   NoProgress nobody;
   DirectLight direct = light_directly(stage.solution, importance, 0.002 * study.accuracy.target, kSeed, nobody);
   const Transport transport = solve(stage.solution, importance, std::move(direct),
