@@ -45,7 +45,7 @@ struct SolveOptions {
   /// What errors of a solution make at the sensors, as a share of their light; empty: links are refined as far as `link_share` says.
   std::function<double(const SolutionErrors&)> error_at_sensors = {};
   /// Refinement ends where that is no more than this share of the accuracy: the larger part is the sensors' own rays', which cost less to add.
-  double discretisation_share = 0.5;
+  double discretisation_share = 0.55;
   bool clusters = true;           ///< as SolverParts has it
   bool keep_link_errors = false;  ///< for a solution that is stored
 };

@@ -73,7 +73,7 @@ std::size_t links(double told) {
 TEST(SensorProbe, RefinementEndsWhereTheSensorsAreRightEnough) {
   EXPECT_LT(2 * links(0.005), links(0.02));
   EXPECT_EQ(links(0.01), links(0.005));
-  EXPECT_EQ(links(0.011), links(0.02));
+  EXPECT_EQ(links(0.012), links(0.02));
 }
 
 }  // namespace
