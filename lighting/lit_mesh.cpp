@@ -27,8 +27,8 @@ struct Place {
 
 class Lighter {
  public:
-  Lighter(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown, const LocalPass& local)
-      : solution_(solution), errors_(errors), shown_(shown), local_(local), sectors_(solution.scene().faces) {}
+  Lighter(const Solution& solution, const ShownMesh& shown, const LocalPass& local)
+      : solution_(solution), shown_(shown), local_(local), sectors_(solution.scene().faces) {}
 
   LitMesh run(Progress& progress) {
     for (std::size_t s = 0; s < shown_.shown.size(); ++s) {
@@ -47,14 +47,9 @@ class Lighter {
 
  private:
   void light_point(std::size_t i) {
-    const std::size_t channels = solution_.channels();
-    if (const auto light = local_.at(places_[i].element, places_[i].inside)) {
-      std::copy(light->lux.begin(), light->lux.end(), lit_.lux.begin() + static_cast<long>(i * channels));
-      lit_.error_lux[i] = light->error_lux;
-    } else {
-      for (std::size_t c = 0; c < channels; ++c) lit_.lux[i * channels + c] /= weights_[i];
-      lit_.error_lux[i] = errors_.point_error(solution_, places_[i].element);
-    }
+    const LocalPass::Light light = local_.at(places_[i].element, places_[i].inside);
+    std::copy(light.lux.begin(), light.lux.end(), lit_.lux.begin() + static_cast<long>(i * solution_.channels()));
+    lit_.error_lux[i] = light.error_lux;
   }
 
   void add_side(FaceSide side) {
@@ -76,13 +71,11 @@ class Lighter {
     for (std::size_t k = 0; k < 3; ++k) {
       // Off the edges of the face, and of the patch.
       const Point inside = inside_from(c[k], cell.middle);
-      const ElementId element = solution_.element_at(side, t.region, inside);
       const auto number = static_cast<std::uint32_t>(lit_.points.size());
       const auto [entry, added] =
           known_.try_emplace({vertices[k], t.region, patch, sectors_.at(side.face, c[k], cell.middle)}, number);
-      if (added) add_point(c[k], {element, inside});
+      if (added) add_point(c[k], {solution_.element_at(side, t.region, inside), inside});
       cell.points[k] = entry->second;
-      add_solved(entry->second, element, c[k], cell.area);
     }
     lit_.cells.push_back(cell);
   }
@@ -90,34 +83,22 @@ class Lighter {
   void add_point(const Point& at, const Place& place) {
     lit_.points.push_back(at);
     places_.push_back(place);
-    weights_.push_back(0.0);
     lit_.lux.resize(lit_.lux.size() + solution_.channels(), 0.0);
   }
 
-  /// What the solution says, should the local pass say nothing: the mean over the elements that meet at the point.
-  void add_solved(std::uint32_t point, ElementId element, const Point& at, double area) {
-    if (!local_.as_solved(places_[point].element)) return;
-    for (std::size_t c = 0; c < solution_.channels(); ++c)
-      lit_.lux[point * solution_.channels() + c] += area * solution_.illuminance_at(element, at, c);
-    weights_[point] += area;
-  }
-
   const Solution& solution_;
-  const SolutionErrors& errors_;
   const ShownMesh& shown_;
   const LocalPass& local_;
   LitMesh lit_;
   std::vector<Place> places_;
-  std::vector<double> weights_;
   mesh::ContactSectors sectors_;
   std::map<std::array<std::uint32_t, 4>, std::uint32_t> known_;  // vertex, region, patch and sector of a side
 };
 
 }  // namespace
 
-LitMesh light_mesh(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                   const LocalPass& local, Progress& progress) {
-  return Lighter(solution, errors, shown, local).run(progress);
+LitMesh light_mesh(const Solution& solution, const ShownMesh& shown, const LocalPass& local, Progress& progress) {
+  return Lighter(solution, shown, local).run(progress);
 }
 
 }  // namespace clerestory::lighting

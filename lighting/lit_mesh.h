@@ -29,8 +29,7 @@ struct LitMesh {
   std::vector<double> error_lux;  ///< [points] standard error
 };
 
-/// Lights all sides of a mesh that are to be shown by it, by the local pass or, where that gives nothing, by the elements around each point.
-LitMesh light_mesh(const Solution& solution, const SolutionErrors& errors, const ShownMesh& shown,
-                   const LocalPass& local, Progress& progress);
+/// Lights all sides of a mesh that are to be shown by it, by the local pass.
+LitMesh light_mesh(const Solution& solution, const ShownMesh& shown, const LocalPass& local, Progress& progress);
 
 }  // namespace clerestory::lighting

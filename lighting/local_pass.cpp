@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "lighting/form_factor.h"
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
@@ -41,6 +42,9 @@ constexpr double kLampShare = 0.125;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
 /// which are more evenly spread together.
 constexpr std::size_t kParts = 8;
+
+/// Of what is wholly seen, nodes nearer than so many times their radius are taken by their parts.
+constexpr double kNear = 2.0;
 
 /// A power of two, so that rays are evenly spread.
 std::uint32_t ray_count(double wanted, double least) {
@@ -146,9 +150,10 @@ class LocalPass::Sum {
   bool with_errors_ = false;
 };
 
-LocalPass::LocalPass(const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
-                     double accuracy, double dark_lux)
+LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
+                     std::span<const NodeDirect> nodes, double accuracy, double dark_lux)
     : solution_(solution),
+      arrivals_(arrivals),
       errors_(errors),
       nodes_(nodes),
       node_at_(solution.tree().size(), kNone),
@@ -174,19 +179,19 @@ std::uint32_t LocalPass::rays_each(std::size_t openings) const {
   return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), std::min(kFewRays, rays_), rays_);
 }
 
-bool LocalPass::as_solved(ElementId element) const {
+bool LocalPass::is_closed(ElementId element) const {
   return !(solution_.closing(element) == LinearValue{1.0F, 0.0F, 0.0F});
 }
 
-std::optional<LocalPass::Light> LocalPass::at(ElementId element, const Point& point) const {
-  if (as_solved(element)) return std::nullopt;
+LocalPass::Light LocalPass::at(ElementId element, const Point& point) const {
   const Vector& normal = solution_.tree().normal(element);
-  return light(element, {point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)});
+  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
+  return is_closed(element) ? by_links(element, receiver) : light(element, receiver);
 }
 
 std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Point& point,
                                                     const mesh::LimitPoint& limit) const {
-  if (as_solved(element)) return std::nullopt;
+  if (is_closed(element)) return std::nullopt;
   const double above = std::max(0.0, dot(limit.at - point, limit.normal));
   const Vector lift = solution_.scene().rays->offset_m() * solution_.tree().normal(element);
   return light(element, {point + above * limit.normal + lift, limit.normal, luminaires_});
@@ -215,7 +220,7 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
 }
 
 std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point) const {
-  if (as_solved(element)) return std::nullopt;
+  if (is_closed(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
   double lux = by_luminaires(receiver, kRoughMean);
@@ -227,6 +232,45 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point)
     lux += emitter.exitance * seen.factor;
   }
   return lux;
+}
+
+/// Links of such an element are proven to see all of their sources, which fill its hemisphere.
+LocalPass::Light LocalPass::by_links(ElementId element, const Receiver& receiver) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  Light light{std::vector<double>(solution_.channels(), by_luminaires(receiver, fine_)),
+              errors_.point_error(solution_, element)};
+  for (ElementId up = element; up.valid(); up = tree.parent(up)) {
+    for (const Arrival& arrival : arrivals_.at(up)) {
+      const ElementId source = arrival.source().element();
+      add_source(source, receiver, light.lux);
+      if (is_near(source, receiver)) continue;
+      // How radiosity and factor run over the source together.
+      const std::span<const Moments> moments = solution_.moments(source);
+      for (std::size_t c = 0; c < light.lux.size(); ++c)
+        light.lux[c] += arrival.moment_u() * moments[c].u + arrival.moment_v() * moments[c].v;
+    }
+  }
+  return light;
+}
+
+bool LocalPass::is_near(ElementId source, const Receiver& receiver) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  return solution_.is_open(source) && norm(tree.centroid(source) - receiver.from) < kNear * tree.radius(source);
+}
+
+/// Adds what a node gives to a point that sees all of it, by its parts where these are near.
+void LocalPass::add_source(ElementId source, const Receiver& receiver, std::vector<double>& lux) const {
+  const mesh::ElementTree& tree = solution_.tree();
+  if (is_near(source, receiver)) {
+    for (std::size_t k = 0; k < tree.child_count(source); ++k)
+      add_source(ElementId(tree.first_child(source).index() + k), receiver, lux);
+    return;
+  }
+  std::array<mesh::OutlineEdge, 3> scratch;
+  const double factor =
+      point_form_factor(receiver.from, receiver.normal, tree.outline(source, scratch), tree.normal(source));
+  const std::span<const float> radiosity = solution_.radiosity(source);
+  for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * radiosity[c];
 }
 
 double LocalPass::by_luminaires(const Receiver& receiver, double tolerance) const {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "lighting/arrivals.h"
 #include "lighting/direct_light.h"
 #include "lighting/emitters.h"
 #include "lighting/sampling.h"
@@ -18,7 +19,9 @@ namespace clerestory::lighting {
 
 /// The local pass of hierarchical radiosity [Lischinski, Tampieri, Greenberg 1993]: light at single points of surfaces, finer than the elements
 /// of the solution. What comes straight from surfaces that shine is exact, by clipping them by what stands before them, or by rays where that
-/// is much; what comes through openings is sampled, and what surfaces reflect is gathered over the hemisphere from the solution. Safe to call from many threads.
+/// is much; what comes through openings is sampled, and what surfaces reflect is gathered over the hemisphere from the solution. Where all that
+/// surrounds an element is proven visible and fills its hemisphere, light comes by the links of the element, with exact form factors from the
+/// point. Safe to call from many threads.
 class LocalPass {
  public:
   struct Light {
@@ -26,27 +29,27 @@ class LocalPass {
     double error_lux = 0.0;   ///< standard error: rays', and that of the solution they meet
   };
 
-  /// @param solution  solved; kept by reference, as its errors are
+  /// @param solution  solved; kept by reference, as its links and errors are
   /// @param nodes     of light_directly(): the openings that each looks at
   /// @param accuracy  errors are brought to about twice this share
   /// @param dark_lux  darker points need not be better than points of so much light
-  LocalPass(const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes, double accuracy,
-            double dark_lux);
+  LocalPass(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
+            std::span<const NodeDirect> nodes, double accuracy, double dark_lux);
 
-  /// Light at a point of an element; nothing where that of the solution is as good: where form factors were made to add up, all that
-  /// surrounds the element is wholly seen.
-  [[nodiscard]] std::optional<Light> at(mesh::ElementId element, const mesh::Point& point) const;
+  /// Light at a point of an element.
+  [[nodiscard]] Light at(mesh::ElementId element, const mesh::Point& point) const;
   /// The same at the point of a limit surface that a point of an element of a curved part stands for, with that surface's normal: shading is
-  /// smooth over the triangles that rays see. Where that point is above its triangle rays start from it, else from the triangle.
+  /// smooth over the triangles that rays see. Where that point is above its triangle rays start from it, else from the triangle. Nothing where the
+  /// element is closed: links know its own plane alone.
   /// @param limit  its normal is that of the element's side
   [[nodiscard]] std::optional<Light> at_limit(mesh::ElementId element, const mesh::Point& point,
                                               const mesh::LimitPoint& limit) const;
   /// The part of it that comes from surfaces that shine and from point sources, luminance-weighted [lux]: it is exact at every point. Nothing where
-  /// at() gives nothing, and where it takes rays, as panes or a crowd stand before a surface that shines.
+  /// the element is closed, and where it takes rays, as panes or a crowd stand before a surface that shines.
   [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
   [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().luminaires.empty(); }
-  /// Whether at() gives nothing.
-  [[nodiscard]] bool as_solved(mesh::ElementId element) const;
+  /// Whether all that surrounds an element is wholly seen, so that form factors were made to add up.
+  [[nodiscard]] bool is_closed(mesh::ElementId element) const;
 
  private:
   struct Receiver {
@@ -62,6 +65,9 @@ class LocalPass {
   };
 
   [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
+  [[nodiscard]] Light by_links(mesh::ElementId element, const Receiver& receiver) const;
+  [[nodiscard]] bool is_near(mesh::ElementId source, const Receiver& receiver) const;
+  void add_source(mesh::ElementId source, const Receiver& receiver, std::vector<double>& lux) const;
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
@@ -72,6 +78,7 @@ class LocalPass {
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 
   const Solution& solution_;
+  const Arrivals& arrivals_;
   const SolutionErrors& errors_;
   std::span<const NodeDirect> nodes_;
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others

@@ -26,6 +26,7 @@ class Relighting {
   /// then on. Throws InputError for a source that is not known.
   const Transport& light(const Progress& progress);
 
+  [[nodiscard]] const Arrivals& arrivals() const { return transport_.arrivals; }
   /// What is left of it when no more is lit.
   [[nodiscard]] Transport take() && { return std::move(transport_); }
   [[nodiscard]] const KnownLight& known() const { return known_; }

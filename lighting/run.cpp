@@ -132,14 +132,16 @@ void evaluate_tasks(const Study& study, const Solution& solution, const Solution
 }
 
 /// The surfaces, with the lines of discontinuity in their mesh where these are asked for and limits allow.
-void show_surfaces(const Study& study, const Solution& solution, const SolutionErrors& errors,
+void show_surfaces(const Study& study, const Solution& solution, const Transport& transport,
                    std::span<const NodeDirect> nodes, const Importance& importance, Results& results,
                    Progress& progress) {
+  const Arrivals& arrivals = transport.arrivals;
+  const SolutionErrors& errors = transport.errors;
   PhasePart meshing(progress, 0.0, kShareOfShownMesh);
-  Shower shower(study, solution, errors, nodes, importance, meshing);
+  Shower shower(study, solution, arrivals, errors, nodes, importance, meshing);
   try {
     PhasePart lighting(progress, kShareOfShownMesh, 1.0);
-    results.surfaces = shower.light(solution, errors, lighting);
+    results.surfaces = shower.light(solution, arrivals, errors, lighting);
   } catch (const LimitedProgress::ShowingIsOver&) {
     shower.give_up();
     results.surfaces = surface_values(solution, errors);
@@ -289,7 +291,8 @@ class Moments {
     SurfaceResult& all = results.surfaces;
     for (std::size_t m = 0; m < study_.moments.size(); ++m) {
       PhasePart part(progress, share(m), share(m + 1));
-      SurfaceResult own = shower.light(solution_, light(m, part).errors, part);
+      const Transport& transport = light(m, part);
+      SurfaceResult own = shower.light(solution_, transport.arrivals, transport.errors, part);
       all.moments.push_back({study_.moments[m].moment, std::move(own.point_illuminance_lux),
                              std::move(own.illuminance_lux), std::move(own.error_lux), std::move(own.radiosity_lm_m2),
                              std::move(own.luminance_cd_m2)});
@@ -380,7 +383,7 @@ void answer(const Study& study, const Solved& solved, PhaseClock& clock, Limited
   results.energy = energy_balance(solution, transport, seed);
 
   clock.begin("shadows", progress);
-  show_surfaces(study, solution, transport.errors, nodes, *importance, results, progress);
+  show_surfaces(study, solution, transport, nodes, *importance, results, progress);
   conclude(study, scene, progress, results);
   if (study.keep_solution) keep(solution, transport, light_of(scene, transport), study.accuracy.target, results);
 }
@@ -413,7 +416,7 @@ void answer_moments(const Study& study, Solved solved, PhaseClock& clock, Limite
   progress.enter(Stage::kShowing);
   scene.sky = study.sky;
   PhasePart meshing(progress, 0.0, kShareOfShownMesh);
-  Shower shower(study, mean, errors, nodes, *importance, meshing);
+  Shower shower(study, mean, relighting.arrivals(), errors, nodes, *importance, meshing);
   PhasePart lighting(progress, kShareOfShownMesh, 1.0);
   show_surfaces(moments, shower, lit, results, lighting);
   conclude(study, scene, progress, results);

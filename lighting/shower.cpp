@@ -39,12 +39,12 @@ void find_no_sky(const SceneLines& found, const mesh::Vector& origin, GridResult
 
 }  // namespace
 
-Shower::Shower(const Study& study, const Solution& solution, const SolutionErrors& errors,
+Shower::Shower(const Study& study, const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
                std::span<const NodeDirect> nodes, const Importance& importance, Progress& progress)
     : nodes_(nodes), accuracy_(study.accuracy.target), dark_lux_(kDarkShare * importance.mean_lux()) {
   if (!study.mesh.discontinuities) return;
   try {
-    const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
+    const LocalPass local(solution, arrivals, errors, nodes_, accuracy_, dark_lux_);
     progress.advance(0.0);
     shown_ = shown_mesh(solution, errors, local,
                         {accuracy_, dark_lux_, study.mesh.max_elements, importance.reached_sides()}, progress);
@@ -59,11 +59,12 @@ void Shower::give_up() {
   shown_.reset();
 }
 
-SurfaceResult Shower::light(const Solution& solution, const SolutionErrors& errors, Progress& progress) const {
+SurfaceResult Shower::light(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
+                            Progress& progress) const {
   if (!shown_) return surface_values(solution, errors);
-  const LocalPass local(solution, errors, nodes_, accuracy_, dark_lux_);
+  const LocalPass local(solution, arrivals, errors, nodes_, accuracy_, dark_lux_);
   PhasePart lighting(progress, 0.0, kShareOfLitMesh);
-  const LitMesh lit = light_mesh(solution, errors, *shown_, local, lighting);
+  const LitMesh lit = light_mesh(solution, *shown_, local, lighting);
   PhasePart curved(progress, kShareOfLitMesh, 1.0);
   return surface_values(solution, errors, *shown_, lit, local, curved);
 }

@@ -20,10 +20,11 @@ class Shower {
  public:
   /// Finds the mesh with the lines of discontinuity where these are asked for and limits allow.
   /// @param solution  whose light the mesh follows
+  /// @param arrivals  of its links
   /// @param nodes     of light_directly(); kept by reference
   /// @param importance  of the solution: surfaces that do not matter to the sensors are shown finely as long as they are few
-  Shower(const Study& study, const Solution& solution, const SolutionErrors& errors, std::span<const NodeDirect> nodes,
-         const Importance& importance, Progress& progress);
+  Shower(const Study& study, const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
+         std::span<const NodeDirect> nodes, const Importance& importance, Progress& progress);
 
   [[nodiscard]] const std::optional<ShownMesh>& mesh() const { return shown_; }
   /// Whether the mesh, or light on it, could not be had in the time.
@@ -31,7 +32,8 @@ class Shower {
   /// From here on elements are shown.
   void give_up();
 
-  [[nodiscard]] SurfaceResult light(const Solution& solution, const SolutionErrors& errors, Progress& progress) const;
+  [[nodiscard]] SurfaceResult light(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
+                                    Progress& progress) const;
 
  private:
   std::span<const NodeDirect> nodes_;

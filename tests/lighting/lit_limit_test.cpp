@@ -52,10 +52,11 @@ SurfaceResult shown_surfaces(const Study& study) {
   const Importance importance(stage.solution, stage.walks(kSeed));
   DirectLight direct = light_directly(stage.solution, importance, 0.002 * kAccuracy, kSeed, nobody);
   const Transport transport = solve(stage.solution, importance, direct, {.accuracy = kAccuracy, .seed = kSeed}, nobody);
-  const LocalPass local(stage.solution, transport.errors, direct.nodes, kAccuracy, 0.05 * importance.mean_lux());
+  const LocalPass local(stage.solution, transport.arrivals, transport.errors, direct.nodes, kAccuracy,
+                        0.05 * importance.mean_lux());
   const ShownMesh shown =
       shown_mesh(stage.solution, transport.errors, local, {kAccuracy, 0.05 * importance.mean_lux(), 100000}, nobody);
-  const LitMesh lit = light_mesh(stage.solution, transport.errors, shown, local, nobody);
+  const LitMesh lit = light_mesh(stage.solution, shown, local, nobody);
   return surface_values(stage.solution, transport.errors, shown, lit, local, nobody);
 }
 

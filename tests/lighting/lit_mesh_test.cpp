@@ -55,13 +55,13 @@ class LitFloor : public test::Stage {
         importance_(solution, walks(kSeed)),
         direct_(light_directly(solution, importance_, 1e-4, kSeed, nobody_)),
         transport_(solve(solution, importance_, direct_, {.accuracy = 0.02, .seed = kSeed}, nobody_)),
-        local_(solution, transport_.errors, direct_.nodes, 0.02, 1.0),
+        local_(solution, transport_.arrivals, transport_.errors, direct_.nodes, 0.02, 1.0),
         peak_(exact(Point{with_plate ? 1.2 : 0.0, 0.0, 0.0} - scene.faces.origin)) {}
 
   /// With elements of a size, and the lines of discontinuity in them if asked for.
   [[nodiscard]] Errors errors(double size_m, bool with_lines) const {
     NoProgress nobody;
-    const LitMesh lit = light_mesh(solution, transport_.errors, shown(size_m, with_lines), local_, nobody);
+    const LitMesh lit = light_mesh(solution, shown(size_m, with_lines), local_, nobody);
     Errors sum;
     double area = 0.0;
     for (const LitMesh::Cell& cell : lit.cells) {

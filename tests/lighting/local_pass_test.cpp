@@ -38,7 +38,8 @@ struct Lit : test::Stage {
         importance(solution, walks(kSeed)),
         direct(light_directly(solution, importance, 0.002 * study.accuracy.target, kSeed, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = kSeed}, nobody)),
-        local_pass(solution, transport.errors, direct.nodes, accuracy, 0.05 * importance.mean_lux()) {}
+        local_pass(solution, transport.arrivals, transport.errors, direct.nodes, accuracy,
+                   0.05 * importance.mean_lux()) {}
 
   /// The element of the floor's front at a point in local coordinates.
   [[nodiscard]] mesh::ElementId on_floor(const Point& p) const {
@@ -47,7 +48,7 @@ struct Lit : test::Stage {
   /// Light on the floor's front.
   [[nodiscard]] LocalPass::Light light(const Point& model_point) const {
     const Point p = local(model_point);
-    return local_pass.at(on_floor(p), p).value();
+    return local_pass.at(on_floor(p), p);
   }
   [[nodiscard]] double at(const Point& model_point) const { return light(model_point).lux.at(0); }
   [[nodiscard]] ShownMesh shown(std::size_t most_elements) const {
@@ -124,21 +125,53 @@ TEST(LocalPass, StatesTheErrorThatItHas) {
   EXPECT_LT(rms, 1.2);
 }
 
-/// A floor under a lid with an opening of 2 m × 2 m, below a uniform sky of 10,000 lux; walls all round, all black. Strips that touch lie
-/// half-way up, from x = 0 to x = 2.
-Study room_under_a_hole(std::size_t strips) {
+/// A floor under a lid with a hole of 2 m × 2 m, filled by a sheet of that name; walls all round.
+mesh::Model room_with_hole(const char* filled_by) {
   mesh::Model room;
   for (const auto& [a, b, c, d, name] : std::vector<std::tuple<Point, Point, Point, Point, const char*>>{
            {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, "floor"},
            {{0, 0, 0}, {0, 0, 3}, {4, 0, 3}, {4, 0, 0}, "wall"},
            {{4, 0, 0}, {4, 0, 3}, {4, 4, 3}, {4, 4, 0}, "wall"},
            {{4, 4, 0}, {4, 4, 3}, {0, 4, 3}, {0, 4, 0}, "wall"},
-           {{0, 4, 0}, {0, 4, 3}, {0, 0, 3}, {0, 0, 0}, "wall"},
-           {{1, 1, 3}, {3, 1, 3}, {3, 3, 3}, {1, 3, 3}, "air"}}) {
+           {{0, 4, 0}, {0, 4, 3}, {0, 0, 3}, {0, 0, 0}, "wall"}}) {
     support::add_quad(room, a, b, c, d, {name, name});
   }
+  support::add_quad(room, {1, 1, 3}, {1, 3, 3}, {3, 3, 3}, {3, 1, 3}, {filled_by, filled_by});
   support::add_polygon(room, {{0, 0, 3}, {0, 4, 3}, {4, 4, 3}, {4, 0, 3}}, {"lid", "lid"},
                        {{{1, 1, 3}, {3, 1, 3}, {3, 3, 3}, {1, 3, 3}}});
+  return room;
+}
+
+/// A room with a lamp in its lid.
+Study lamp_in_lid(double accuracy) {
+  Study study = test::study_of(room_with_hole("lamp"), 0.5, {2, 2, 0.8});
+  test::shine(test::material(study, "lamp"), kLampLmM2);
+  study.accuracy.target = accuracy;
+  return study;
+}
+
+TEST(LocalPass, ByLinksFollowsTheLightToTheFeetOfWalls) {
+  const Lit coarse(lamp_in_lid(0.02), 0.02);
+  const Lit fine(lamp_in_lid(0.002), 0.002);
+  double square = 0.0;
+  double square_solved = 0.0;
+  double count = 0.0;
+  for (double x = 0.04; x < 4.0; x += 0.12) {
+    const Point at{x, 0.02, 0};
+    const Point p = coarse.local(at);
+    ASSERT_TRUE(coarse.local_pass.is_closed(coarse.on_floor(p)));
+    const double exact = fine.at(at);
+    square += std::pow(coarse.at(at) / exact - 1.0, 2);
+    square_solved += std::pow(coarse.solution.illuminance_at(coarse.on_floor(p), p) / exact - 1.0, 2);
+    count += 1.0;
+  }
+  EXPECT_LT(std::sqrt(square / count), 0.01);
+  EXPECT_GT(std::sqrt(square_solved / square), 2.0);
+}
+
+/// The same, the hole open to a uniform sky of 10,000 lux; all black. Strips that touch lie half-way up, from x = 0 to x = 2.
+Study room_under_a_hole(std::size_t strips) {
+  mesh::Model room = room_with_hole("air");
   for (std::size_t i = 0; i < strips; ++i) {
     const auto y = [&](std::size_t k) { return 4.0 * static_cast<double>(k) / static_cast<double>(strips); };
     support::add_quad(room, {0, y(i), 1.5}, {2, y(i), 1.5}, {2, y(i + 1), 1.5}, {0, y(i + 1), 1.5},
@@ -233,7 +266,7 @@ TEST(SurfaceValuesInShadow, PointsMeetTheShadowThatElementsMiss) {
   const Lit exact(lamp_over_shelf(0.0));
   const ShownMesh shown = lit.shown(100000);
   NoProgress nobody;
-  const LitMesh light = light_mesh(lit.solution, lit.transport.errors, shown, lit.local_pass, nobody);
+  const LitMesh light = light_mesh(lit.solution, shown, lit.local_pass, nobody);
   const double with =
       worst(surface_values(lit.solution, lit.transport.errors, shown, light, lit.local_pass, nobody), exact);
   const double without = worst(surface_values(lit.solution, lit.transport.errors), exact);

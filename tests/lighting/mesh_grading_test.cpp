@@ -31,7 +31,7 @@ struct LampOverFloor : test::Stage {
         importance(solution, walks(kSeed)),
         direct(light_directly(solution, importance, 1e-4, kSeed, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = 0.02, .seed = kSeed}, nobody)),
-        local_pass(solution, transport.errors, direct.nodes, 0.02, 1.0) {}
+        local_pass(solution, transport.arrivals, transport.errors, direct.nodes, 0.02, 1.0) {}
 
   [[nodiscard]] GradedSizes graded(double size_m, const GradingOptions& options) {
     mesh = mesh::mesh_faces(scene.faces, {.max_size_m = size_m});

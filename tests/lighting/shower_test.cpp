@@ -18,7 +18,7 @@ struct Shown : test::Stage {
         importance(solution, walks(1)),
         direct(light_directly(solution, importance, 0.002 * study.accuracy.target, 1, nobody)),
         transport(solve(solution, importance, direct, {.accuracy = study.accuracy.target, .seed = 1}, nobody)),
-        shower(study, solution, transport.errors, direct.nodes, importance, nobody) {}
+        shower(study, solution, transport.arrivals, transport.errors, direct.nodes, importance, nobody) {}
 
   [[nodiscard]] auto of_elements() const { return surface_values(solution, transport.errors).illuminance_lux; }
 
@@ -34,7 +34,8 @@ TEST(Shower, ShowsElementsWhereNoLinesAreAskedFor) {
   study.mesh.discontinuities = false;
   Shown shown(study);
   EXPECT_FALSE(shown.shower.mesh());
-  const SurfaceResult surfaces = shown.shower.light(shown.solution, shown.transport.errors, shown.nobody);
+  const SurfaceResult surfaces =
+      shown.shower.light(shown.solution, shown.transport.arrivals, shown.transport.errors, shown.nobody);
   EXPECT_EQ(surfaces.illuminance_lux, shown.of_elements());
   Results results;
   tell_of_lines(shown.shower, shown.scene, results);
@@ -45,7 +46,8 @@ TEST(Shower, ShowsElementsWhereNoLinesAreAskedFor) {
 TEST(Shower, ShowsTheMeshOfTheLinesUntilItGivesUp) {
   Shown shown(test::furnished_room_study());
   ASSERT_TRUE(shown.shower.mesh());
-  const SurfaceResult fine = shown.shower.light(shown.solution, shown.transport.errors, shown.nobody);
+  const SurfaceResult fine =
+      shown.shower.light(shown.solution, shown.transport.arrivals, shown.transport.errors, shown.nobody);
   EXPECT_GT(*std::max_element(fine.illuminance_lux.begin(), fine.illuminance_lux.end()), 0.0F);
   Results results;
   tell_of_lines(shown.shower, shown.scene, results);
@@ -53,7 +55,8 @@ TEST(Shower, ShowsTheMeshOfTheLinesUntilItGivesUp) {
 
   shown.shower.give_up();
   EXPECT_TRUE(shown.shower.is_over());
-  const SurfaceResult coarse = shown.shower.light(shown.solution, shown.transport.errors, shown.nobody);
+  const SurfaceResult coarse =
+      shown.shower.light(shown.solution, shown.transport.arrivals, shown.transport.errors, shown.nobody);
   EXPECT_EQ(coarse.illuminance_lux, shown.of_elements());
   EXPECT_NE(coarse.illuminance_lux, fine.illuminance_lux);
   Results stopped;
