@@ -37,7 +37,7 @@ constexpr double kFinestM = 0.01;
 constexpr double kUnitTriangle = 0.2;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// A corner or the middle of an edge, where light is asked for.
+/// A corner, or the middle of an edge or of a triangle, where light is asked for.
 struct Probe {
   FaceSide side;
   std::uint32_t region = 0;
@@ -46,16 +46,17 @@ struct Probe {
   bool known = false;
 };
 
-/// The probes of one triangle on one side: corners, then middles of the edges that follow them.
+/// The probes of one triangle on one side: corners, then middles of the edges that follow them, and its own middle if it is looked at.
 struct Judged {
   std::size_t triangle = 0;
   std::array<std::size_t, 6> probes{};
+  std::optional<std::size_t> middle;
 };
 
 class Judge {
  public:
-  Judge(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh)
-      : solution_(solution), local_(local), mesh_(mesh), sectors_(solution.scene().faces) {}
+  Judge(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh, bool closely)
+      : solution_(solution), local_(local), mesh_(mesh), closely_(closely), sectors_(solution.scene().faces) {}
 
   void add_side(FaceSide side, bool jumps) {
     const std::size_t first = mesh_.starts[side.face.index()];
@@ -75,13 +76,16 @@ class Judge {
       const std::array<Point, 3> c = corners(judged.triangle);
       const double allowed = options.tolerance * std::max(options.darkest_lux, light_at(judged));
       double longest = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double length = norm(c[(k + 1) % 3] - c[k]);
-        const double missed = kInside * second_difference(judged, k);
-        longest = std::max(longest, length);
+      const auto bound = [&](double missed, double length) {
         result.kept = result.kept && missed <= allowed;
         if (missed > 0.0) size = std::min(size, std::max(kFinestM, kSafety * length * std::sqrt(allowed / missed)));
+      };
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double length = norm(c[(k + 1) % 3] - c[k]);
+        longest = std::max(longest, length);
+        bound(kInside * second_difference(judged, k), length);
       }
+      bound(missed_inside(judged), longest);
       size = std::clamp(size, kShrink * longest, kGrowth * longest);
     }
     return result;
@@ -97,7 +101,7 @@ class Judge {
     const mesh::Triangle& t = mesh_.triangles[triangle];
     const std::array<Point, 3> c = corners(triangle);
     const Point middle = c[0] + (c[1] - c[0] + (c[2] - c[0])) / 3.0;
-    Judged judged{triangle, {}};
+    Judged judged{triangle, {}, std::nullopt};
     for (std::size_t k = 0; k < 6; ++k) {
       const std::uint32_t a = t.vertices[k % 3];
       const std::uint32_t b = k < 3 ? a : t.vertices[(k + 1) % 3];
@@ -107,6 +111,10 @@ class Judge {
       const auto [entry, fresh] = known_.try_emplace(key, probes_.size());
       if (fresh) probes_.push_back({side, t.region, inside_from(at, middle)});
       judged.probes[k] = entry->second;
+    }
+    if (closely_) {
+      judged.middle = probes_.size();
+      probes_.push_back({side, t.region, middle});
     }
     judged_.push_back(judged);
   }
@@ -127,6 +135,17 @@ class Judge {
     return std::abs(middle.lux - 0.5 * (a.lux + b.lux));
   }
 
+  /// What interpolation misses in the middle, where that is looked at.
+  [[nodiscard]] double missed_inside(const Judged& judged) const {
+    if (!judged.middle || !probes_[*judged.middle].known) return 0.0;
+    double mean = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!probes_[judged.probes[k]].known) return 0.0;
+      mean += probes_[judged.probes[k]].lux / 3.0;
+    }
+    return std::abs(probes_[*judged.middle].lux - mean);
+  }
+
   /// The most light at a triangle: by lamps alone, or by all that the solution knows.
   [[nodiscard]] double light_at(const Judged& judged) const {
     double most = 0.0;
@@ -139,6 +158,7 @@ class Judge {
   const Solution& solution_;
   const LocalPass& local_;
   const mesh::Triangulation& mesh_;
+  bool closely_;
   std::vector<Probe> probes_;
   std::vector<Judged> judged_;
   mesh::ContactSectors sectors_;
@@ -172,7 +192,7 @@ Point inside_from(const Point& edge, const Point& middle) {
 GradedSizes graded_sizes(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh,
                          std::span<const std::uint8_t> shown, std::span<const std::uint8_t> jumps,
                          const GradingOptions& options) {
-  Judge judge(solution, local, mesh);
+  Judge judge(solution, local, mesh, options.closely);
   for (std::size_t s = 0; s < shown.size(); ++s) {
     const FaceSide side = mesh::face_side(s);
     if (shown[s] != 0) judge.add_side(side, jumps[side.face.index()] != 0);

@@ -19,6 +19,7 @@ struct GradingOptions {
   double tolerance = 0.02;    ///< share of the illuminance that interpolation may miss
   double darkest_lux = 0.0;   ///< places darker than this count as if they had it
   std::size_t most = 100000;  ///< triangles: where more would be needed, all sizes grow alike
+  bool closely = false;       ///< whether to judge by the middles of triangles too
 };
 
 /// How large triangles may be for interpolation between their corners to keep to a tolerance.

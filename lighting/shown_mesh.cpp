@@ -50,8 +50,10 @@ constexpr double kTrianglesPerLine = 100.0;
 constexpr std::size_t kFewPoints = 4500;
 /// Triangles of surfaces without lines, where the solution is small: else two a point.
 constexpr std::size_t kFewTriangles = 12000;
-/// Meshes are judged so often by the light of lamps, and made anew where interpolation misses too much.
+/// Meshes are judged so often by the light of lamps, and made anew where interpolation misses too much. As long as a mesh has less than three
+/// quarters of its points, it is judged more often, and more closely: what edges' middles tell may be far from what many small shadows make.
 constexpr int kGradings = 2;
+constexpr int kGradingsOfSmall = 4;
 /// Where surfaces without lines have taken the points already, there may be so many times more for grading.
 constexpr double kGradedShare = 1.5;
 /// Of the time, when lines are found, and when there is a mesh of them.
@@ -265,10 +267,11 @@ void mesh_within(std::size_t most_points, const Solution& solution, ShownMesh& r
 void grade(std::size_t most_points, const Solution& solution, const LocalPass& local, const ShownOptions& options,
            ShownMesh& result, Progress& progress) {
   if (!local.has_lamps()) return;
-  // A triangulation has half as many points as triangles.
-  const GradingOptions grading{options.accuracy, options.dark_lux, 2 * most_points};
   const std::vector<std::uint8_t> shown = result.shown;
-  for (int i = 0; i < kGradings; ++i) {
+  const auto is_small = [&] { return 4 * result.mesh.vertices.size() < 3 * most_points; };
+  for (int i = 0; i < kGradings || (i < kGradingsOfSmall && is_small()); ++i) {
+    // A triangulation has half as many points as triangles.
+    const GradingOptions grading{options.accuracy, options.dark_lux, 2 * most_points, is_small()};
     GradedSizes sizes = graded_sizes(solution, local, result.mesh, shown, result.jump, grading);
     if (sizes.kept) return;
     const mesh::Triangulation judged = std::move(result.mesh);

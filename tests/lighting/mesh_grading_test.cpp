@@ -75,6 +75,20 @@ TEST(MeshGrading, AMeshFineEnoughIsKept) {
   EXPECT_TRUE(lamp.graded(0.1, {.tolerance = 0.05, .darkest_lux = 1.0, .most = 1000000}).kept);
 }
 
+TEST(MeshGrading, LookingCloselyFindsWhatTheMiddlesOfEdgesMiss) {
+  LampOverFloor lamp;
+  GradingOptions options{.tolerance = 0.01, .darkest_lux = 1.0, .most = 1000000};
+  const GradedSizes by_edges = lamp.graded(0.3, options);
+  options.closely = true;
+  const GradedSizes closely = lamp.graded(0.3, options);
+  std::size_t smaller = 0;
+  for (std::size_t i = 0; i < closely.longest_m.size(); ++i) {
+    EXPECT_LE(closely.longest_m[i], by_edges.longest_m[i]);
+    smaller += closely.longest_m[i] < by_edges.longest_m[i] ? 1 : 0;
+  }
+  EXPECT_GT(smaller, 0U);
+}
+
 TEST(MeshGrading, SizesGrowAlikeWhereThereMayBeFewTriangles) {
   LampOverFloor lamp;
   const GradedSizes many = lamp.graded(0.3, {.tolerance = 0.001, .darkest_lux = 1.0, .most = 1000000});
