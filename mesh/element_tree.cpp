@@ -57,6 +57,38 @@ Point in_triangle(const std::array<Point, 3>& c, double a, double b) {
 
 }  // namespace
 
+/// The start triangles of a region while its groups are built, numbered as the mesh has them.
+struct ElementTree::Region {
+  struct Part {
+    double area = 0.0;
+    Point centre;
+    std::array<std::uint32_t, 3> across{};  ///< numbers of its neighbours
+  };
+
+  const Triangulation& mesh;
+  std::uint32_t begin = 0;            ///< in start_
+  std::vector<Part> parts;            ///< [numbers]
+  std::vector<std::uint32_t> number;  ///< [places from begin on]
+  std::vector<std::uint32_t> place;   ///< [numbers] in start_
+
+  Region(const Triangulation& all, std::uint32_t first, std::span<const StartTriangle> triangles)
+      : mesh(all), begin(first), number(triangles.size()), place(triangles.size()) {
+    const auto across = triangles_across(triangles);
+    parts.reserve(triangles.size());
+    for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+      const auto c = points_of(mesh, triangles[k]);
+      parts.push_back({triangle_area(c), mean(c), across[k]});
+      put(k, begin + k);
+    }
+  }
+
+  void put(std::uint32_t own, std::uint32_t at) {
+    number[at - begin] = own;
+    place[own] = at;
+  }
+  [[nodiscard]] const Part& at(std::uint32_t position) const { return parts[number[position - begin]]; }
+};
+
 ElementTree::ElementTree(const Faces& faces, const Triangulation& mesh, std::span<const std::uint8_t> has_side) {
   assert(has_side.size() == 2 * faces.count());
   roots_start_.push_back(0);
@@ -94,7 +126,8 @@ void ElementTree::add_region(const Triangulation& mesh, std::vector<Triangle> tr
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(root);
   roots_.push_back(ElementId(id));
-  build_groups(mesh, id);
+  Region region(mesh, root.begin, std::span(start_).subspan(root.begin));
+  build_groups(region, id);
   add_forks(id);
   add_up_areas(id);
 }
@@ -140,13 +173,13 @@ void ElementTree::add_up_areas(std::uint32_t root) {
   }
 }
 
-void ElementTree::build_groups(const Triangulation& mesh, std::uint32_t root) {
+void ElementTree::build_groups(Region& region, std::uint32_t root) {
   for (std::uint32_t n = root; n < nodes_.size(); ++n) {
     if (nodes_[n].end - nodes_[n].begin == 1) {
-      finish_triangle(nodes_[n], points_of(mesh, start_[nodes_[n].begin]));
+      finish_triangle(nodes_[n], points_of(region.mesh, start_[nodes_[n].begin]));
     } else {
-      finish_group(mesh, nodes_[n]);
-      split_group(mesh, n);
+      finish_group(region, nodes_[n]);
+      split_group(region, n);
     }
   }
 }
@@ -161,18 +194,17 @@ void ElementTree::finish_triangle(Node& triangle, const std::array<Point, 3>& co
   corners_.push_back(corners);
 }
 
-void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
+void ElementTree::finish_group(const Region& region, Node& group) {
   // Area and centroid.
   Vector moment;
   const Point& origin = side_origin_[group.face_side];
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const auto c = points_of(mesh, start_[i]);
-    const double area = triangle_area(c);
-    group.area += area;
-    moment = moment + area * (mean(c) - origin);
+    const Region::Part& part = region.at(i);
+    group.area += part.area;
+    moment = moment + part.area * (part.centre - origin);
   }
   group.centroid = origin + moment / group.area;
-  add_second_moments(mesh, group);
+  add_second_moments(region, group);
 
   Group shape;
   const Frame& axes = side_axes_[group.face_side];
@@ -180,7 +212,7 @@ void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
   const std::span<const StartTriangle> own = std::span(start_).subspan(group.begin, group.end - group.begin);
   for (const StartTriangle& t : own) {
     for (const std::uint32_t v : t) {
-      const Point& p = mesh.vertices[v];
+      const Point& p = region.mesh.vertices[v];
       const double u = dot(p - origin, axes.u);
       const double w = dot(p - origin, axes.v);
       shape.rectangle = {std::min(shape.rectangle[0], u), std::min(shape.rectangle[1], w),
@@ -189,36 +221,61 @@ void ElementTree::finish_group(const Triangulation& mesh, Node& group) {
     }
   }
   shape.first_edge = static_cast<std::uint32_t>(edges_.size());
-  for (const auto& [from, to] : group_outline(mesh.vertices, own))
-    edges_.push_back({mesh.vertices[from], mesh.vertices[to]});
+  add_outline(region, group);
   shape.edge_count = static_cast<std::uint32_t>(edges_.size()) - shape.first_edge;
   group.shape = static_cast<std::uint32_t>(groups_.size());
   groups_.push_back(shape);
 }
 
-void ElementTree::add_second_moments(const Triangulation& mesh, Node& group) {
+void ElementTree::add_outline(const Region& region, const Node& group) {
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const auto& across = region.at(i).across;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = across[k] == kNoTriangle ? group.end : region.place[across[k]];
+      if (other < group.begin || other >= group.end) boundary.push_back({start_[i][k], start_[i][(k + 1) % 3]});
+    }
+  }
+  const std::vector<Point>& vertices = region.mesh.vertices;
+  for (const auto& [from, to] : group_outline(vertices, boundary)) edges_.push_back({vertices[from], vertices[to]});
+}
+
+void ElementTree::add_second_moments(const Region& region, Node& group) {
   const Frame& axes = side_axes_[group.face_side];
   SecondMoments& sum = group.moments;
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const auto c = points_of(mesh, start_[i]);
-    const Point centre = mean(c);
-    const SecondMoments own = moments_about(centre, c, axes);
-    const double share = triangle_area(c) / group.area;
-    const double u = dot(centre - group.centroid, axes.u);
-    const double v = dot(centre - group.centroid, axes.v);
+    const Region::Part& part = region.at(i);
+    const SecondMoments own = moments_about(part.centre, points_of(region.mesh, start_[i]), axes);
+    const double share = part.area / group.area;
+    const double u = dot(part.centre - group.centroid, axes.u);
+    const double v = dot(part.centre - group.centroid, axes.v);
     sum = {sum.uu + share * (own.uu + u * u), sum.uv + share * (own.uv + u * v), sum.vv + share * (own.vv + v * v)};
   }
 }
 
-void ElementTree::split_group(const Triangulation& mesh, std::uint32_t group) {
+void ElementTree::split_group(Region& region, std::uint32_t group) {
   const Node parent = nodes_[group];
   const Frame& axes = side_axes_[parent.face_side];
   const auto& box = groups_[parent.shape].rectangle;
   const Vector axis = box[2] - box[0] >= box[3] - box[1] ? axes.u : axes.v;
   const Point& origin = side_origin_[parent.face_side];
-  const auto place = [&](const StartTriangle& t) { return std::pair(dot(mean(points_of(mesh, t)) - origin, axis), t); };
-  std::sort(start_.begin() + parent.begin, start_.begin() + parent.end,
-            [&](const StartTriangle& a, const StartTriangle& b) { return place(a) < place(b); });
+  struct Placed {
+    double along;
+    StartTriangle triangle;
+    std::uint32_t number;
+  };
+  std::vector<Placed> placed;
+  placed.reserve(parent.end - parent.begin);
+  for (std::uint32_t i = parent.begin; i < parent.end; ++i) {
+    placed.push_back({dot(region.at(i).centre - origin, axis), start_[i], region.number[i - region.begin]});
+  }
+  std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
+    return a.along != b.along ? a.along < b.along : a.triangle < b.triangle;
+  });
+  for (std::uint32_t i = parent.begin; i < parent.end; ++i) {
+    start_[i] = placed[i - parent.begin].triangle;
+    region.put(placed[i - parent.begin].number, i);
+  }
 
   const std::uint32_t middle = parent.begin + (parent.end - parent.begin) / 2;
   nodes_[group].first_child = static_cast<std::uint32_t>(nodes_.size());

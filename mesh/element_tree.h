@@ -132,13 +132,15 @@ class ElementTree {
   using Barycentric = std::array<double, 3>;
 
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
+  struct Region;
   void add_region(const Triangulation& mesh, std::vector<Triangle> triangles, FaceSide side);
-  void build_groups(const Triangulation& mesh, std::uint32_t root);
+  void build_groups(Region& region, std::uint32_t root);
   void add_up_areas(std::uint32_t root);
-  void finish_group(const Triangulation& mesh, Node& group);
-  void add_second_moments(const Triangulation& mesh, Node& group);
+  void finish_group(const Region& region, Node& group);
+  void add_second_moments(const Region& region, Node& group);
+  void add_outline(const Region& region, const Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
-  void split_group(const Triangulation& mesh, std::uint32_t group);
+  void split_group(Region& region, std::uint32_t group);
   [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
   [[nodiscard]] bool triangle_holds(const Node& node, const Point& point, double slack) const;
   void add_forks(std::uint32_t root);

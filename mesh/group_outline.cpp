@@ -14,24 +14,8 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Sine of the angle by which edges in a line may differ: rounding of points that were put on an edge.
 constexpr double kInLine = 1e-9;
 
-/// Edges without their reverse, in order.
-std::vector<Edge> boundary(std::span<const std::array<std::uint32_t, 3>> triangles) {
-  std::vector<Edge> sorted;
-  sorted.reserve(3 * triangles.size());
-  for (const auto& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) sorted.push_back({t[k], t[(k + 1) % 3]});
-  }
-  const std::vector<Edge> edges = sorted;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<Edge> found;
-  for (const Edge& e : edges) {
-    if (!std::binary_search(sorted.begin(), sorted.end(), Edge{e[1], e[0]})) found.push_back(e);
-  }
-  return found;
-}
-
 /// The edge that goes on from each edge's end [edges]; none where several begin there.
-std::vector<std::uint32_t> successors(const std::vector<Edge>& edges) {
+std::vector<std::uint32_t> successors(std::span<const Edge> edges) {
   std::vector<std::array<std::uint32_t, 2>> by_begin;  // vertex and edge
   by_begin.reserve(edges.size());
   for (std::uint32_t i = 0; i < edges.size(); ++i) by_begin.push_back({edges[i][0], i});
@@ -48,9 +32,33 @@ std::vector<std::uint32_t> successors(const std::vector<Edge>& edges) {
 
 }  // namespace
 
+std::vector<std::array<std::uint32_t, 3>> triangles_across(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::array<std::uint32_t, 3>> across(triangles.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  struct Walked {
+    Edge edge;
+    std::uint32_t triangle;
+    std::uint32_t k;
+  };
+  std::vector<Walked> walked;
+  walked.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangles[t][k];
+      const std::uint32_t to = triangles[t][(k + 1) % 3];
+      walked.push_back({{std::min(from, to), std::max(from, to)}, t, k});
+    }
+  }
+  std::ranges::sort(walked, {}, &Walked::edge);
+  for (std::size_t i = 1; i < walked.size(); ++i) {
+    if (walked[i].edge != walked[i - 1].edge) continue;
+    across[walked[i].triangle][walked[i].k] = walked[i - 1].triangle;
+    across[walked[i - 1].triangle][walked[i - 1].k] = walked[i].triangle;
+  }
+  return across;
+}
+
 std::vector<std::array<std::uint32_t, 2>> group_outline(std::span<const Point> vertices,
-                                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const std::vector<Edge> edges = boundary(triangles);
+                                                        std::span<const std::array<std::uint32_t, 2>> edges) {
   const std::vector<std::uint32_t> next = successors(edges);
   const auto along = [&](std::uint32_t e) { return vertices[edges[e][1]] - vertices[edges[e][0]]; };
   const auto goes_on = [&](std::uint32_t e) {
