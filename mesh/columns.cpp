@@ -185,13 +185,6 @@ std::optional<std::uint32_t> Raster::at(double px, double py) const {
   return column(static_cast<std::uint32_t>(fi), static_cast<std::uint32_t>(fj));
 }
 
-std::optional<std::uint32_t> Raster::beside(std::uint32_t c, int di, int dj) const {
-  const std::int64_t ni = std::int64_t{i(c)} + di;
-  const std::int64_t nj = std::int64_t{j(c)} + dj;
-  if (ni < 0 || nj < 0 || ni >= nx || nj >= ny) return std::nullopt;
-  return column(static_cast<std::uint32_t>(ni), static_cast<std::uint32_t>(nj));
-}
-
 Raster room_raster(const Faces& faces) {
   Box all;
   for (const Point& p : faces.shape.vertices) all.add(p);

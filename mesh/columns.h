@@ -31,10 +31,29 @@ struct Raster {
   /// The column that a place lies in; none outside of the raster.
   [[nodiscard]] std::optional<std::uint32_t> at(double px, double py) const;
   /// The column so many cells away; none outside of the raster.
-  [[nodiscard]] std::optional<std::uint32_t> beside(std::uint32_t column, int di, int dj) const;
+  [[nodiscard]] std::optional<std::uint32_t> beside(std::uint32_t column, int di, int dj) const {
+    const std::int64_t in_row = di == 0 ? 0 : std::int64_t{i(column)} + di;
+    const std::int64_t there = std::int64_t{column} + std::int64_t{dj} * nx;
+    if (in_row < 0 || in_row >= nx || there < 0 || there >= static_cast<std::int64_t>(count())) return std::nullopt;
+    return static_cast<std::uint32_t>(there + di);
+  }
   /// Those at its four sides: -x, +x, -y, +y.
   [[nodiscard]] std::array<std::optional<std::uint32_t>, 4> four_beside(std::uint32_t column) const {
-    return {beside(column, -1, 0), beside(column, 1, 0), beside(column, 0, -1), beside(column, 0, 1)};
+    const std::uint32_t in_row = i(column);
+    const auto where = [](bool there, std::uint32_t c) { return there ? std::optional(c) : std::nullopt; };
+    return {where(in_row > 0, column - 1), where(in_row + 1 < nx, column + 1), where(column >= nx, column - nx),
+            where(column + nx < count(), column + nx)};
+  }
+  /// Visits each column with that at +x of it (axis 0), then with that at +y (axis 1).
+  template <class Visit>
+  void for_each_pair(const Visit& visit) const {
+    for (std::uint32_t row = 0; row < ny; ++row) {
+      for (std::uint32_t in_row = 0; in_row < nx; ++in_row) {
+        const std::uint32_t c = column(in_row, row);
+        if (in_row + 1 < nx) visit(c, c + 1, 0);
+        if (row + 1 < ny) visit(c, c + nx, 1);
+      }
+    }
   }
 };
 
@@ -77,5 +96,17 @@ Columns free_columns(const Faces& faces, const Raster& raster);
 
 /// Overlap of two spans [m]; negative when there is none.
 inline float overlap_m(const Span& a, const Span& b) { return std::min(a.high, b.high) - std::max(a.low, b.low); }
+
+/// Visits the spans of one column with those of another that they overlap, from below.
+template <class Visit>
+void for_each_overlap(const Columns& columns, std::uint32_t one, std::uint32_t other, const Visit& visit) {
+  const auto [first, last] = columns.of(one);
+  auto [next, end] = columns.of(other);
+  for (std::uint32_t s = first; s < last; ++s) {
+    const Span& span = columns.spans[s];
+    while (next < end && columns.spans[next].high <= span.low) ++next;
+    for (std::uint32_t t = next; t < end && columns.spans[t].low < span.high; ++t) visit(s, t);
+  }
+}
 
 }  // namespace clerestory::mesh

@@ -23,20 +23,15 @@ constexpr int kNear = 2;
 
 void add_strips(const Columns& columns, const std::vector<CellId>& of_span, std::uint32_t c, std::uint32_t d,
                 float least_overlap_m, CellId limit, std::vector<Strip>& strips) {
-  const auto [c0, c1] = columns.of(c);
-  const auto [d0, d1] = columns.of(d);
-  const int i = static_cast<int>(columns.raster.i(c));
-  const int j = static_cast<int>(columns.raster.j(c));
-  for (std::uint32_t s = c0; s < c1; ++s) {
-    for (std::uint32_t t = d0; t < d1; ++t) {
-      const CellId a = std::min(of_span[s], of_span[t]);
-      const CellId b = std::max(of_span[s], of_span[t]);
-      const Span& x = columns.spans[s];
-      const Span& y = columns.spans[t];
-      if (a == b || a == kNoCell || a >= limit || overlap_m(x, y) < least_overlap_m) continue;
-      strips.push_back({a, b, i, j, std::max(x.low, y.low), std::min(x.high, y.high)});
-    }
-  }
+  for_each_overlap(columns, c, d, [&](std::uint32_t s, std::uint32_t t) {
+    const CellId a = std::min(of_span[s], of_span[t]);
+    const CellId b = std::max(of_span[s], of_span[t]);
+    const Span& x = columns.spans[s];
+    const Span& y = columns.spans[t];
+    if (a == b || a == kNoCell || a >= limit || overlap_m(x, y) < least_overlap_m) return;
+    strips.push_back({a, b, static_cast<int>(columns.raster.i(c)), static_cast<int>(columns.raster.j(c)),
+                      std::max(x.low, y.low), std::min(x.high, y.high)});
+  });
 }
 
 /// The strips of one portal, from a first one on.
@@ -91,12 +86,10 @@ class Opening {
 
 std::vector<Portal> find_portals(const Columns& columns, const std::vector<CellId>& of_span, float least_overlap_m,
                                  CellId limit) {
-  const Raster& raster = columns.raster;
   std::vector<Strip> strips;
-  for (std::uint32_t c = 0; c < raster.count(); ++c) {
-    if (raster.i(c) + 1 < raster.nx) add_strips(columns, of_span, c, c + 1, least_overlap_m, limit, strips);
-    if (raster.j(c) + 1 < raster.ny) add_strips(columns, of_span, c, c + raster.nx, least_overlap_m, limit, strips);
-  }
+  columns.raster.for_each_pair([&](std::uint32_t c, std::uint32_t d, std::size_t) {
+    add_strips(columns, of_span, c, d, least_overlap_m, limit, strips);
+  });
   std::ranges::stable_sort(strips, {}, [](const Strip& s) { return std::tuple(s.a, s.b, s.j, s.i); });
   std::vector<Portal> portals;
   for (std::size_t first = 0; first < strips.size();) {

@@ -23,27 +23,21 @@ constexpr std::size_t reverse(std::size_t direction) { return direction ^ 1U; }
 
 /// Links each span to the one with the nearest top in the column on the positive side, one to one.
 void link_columns(const Columns& columns, std::uint32_t a, std::uint32_t b, std::size_t direction, Links& links) {
-  const auto [a0, a1] = columns.of(a);
-  const auto [b0, b1] = columns.of(b);
   const float most = kBeam + static_cast<float>(columns.raster.cell_m);
   const auto step = [&](std::uint32_t s, std::uint32_t t) {
     return std::abs(columns.spans[s].high - columns.spans[t].high);
   };
-  for (std::uint32_t s = a0; s < a1; ++s) {
-    if (!columns.spans[s].roofed()) continue;
-    for (std::uint32_t t = b0; t < b1; ++t) {
-      if (!columns.spans[t].roofed() || overlap_m(columns.spans[s], columns.spans[t]) <= 0.0F) continue;
-      if (step(s, t) > most) continue;
-      std::uint32_t& forth = links[s][direction];
-      std::uint32_t& back = links[t][reverse(direction)];
-      if (forth != Span::kNone && step(s, forth) <= step(s, t)) continue;
-      if (back != Span::kNone && step(back, t) <= step(s, t)) continue;
-      if (forth != Span::kNone) links[forth][reverse(direction)] = Span::kNone;
-      if (back != Span::kNone) links[back][direction] = Span::kNone;
-      forth = t;
-      back = s;
-    }
-  }
+  for_each_overlap(columns, a, b, [&](std::uint32_t s, std::uint32_t t) {
+    if (!columns.spans[s].roofed() || !columns.spans[t].roofed() || step(s, t) > most) return;
+    std::uint32_t& forth = links[s][direction];
+    std::uint32_t& back = links[t][reverse(direction)];
+    if (forth != Span::kNone && step(s, forth) <= step(s, t)) return;
+    if (back != Span::kNone && step(back, t) <= step(s, t)) return;
+    if (forth != Span::kNone) links[forth][reverse(direction)] = Span::kNone;
+    if (back != Span::kNone) links[back][direction] = Span::kNone;
+    forth = t;
+    back = s;
+  });
 }
 
 /// Offset from a span to the nearest wall [cells].
@@ -183,11 +177,9 @@ class Watershed {
 Links ceiling_links(const Columns& columns) {
   Links links(columns.spans.size());
   for (auto& l : links) l.fill(Span::kNone);
-  const Raster& raster = columns.raster;
-  for (std::uint32_t c = 0; c < raster.count(); ++c) {
-    if (raster.i(c) + 1 < raster.nx) link_columns(columns, c, c + 1, 1, links);
-    if (raster.j(c) + 1 < raster.ny) link_columns(columns, c, c + raster.nx, 3, links);
-  }
+  columns.raster.for_each_pair([&](std::uint32_t c, std::uint32_t d, std::size_t axis) {
+    link_columns(columns, c, d, axis == 0 ? 1 : 3, links);
+  });
   return links;
 }
 

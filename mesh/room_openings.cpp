@@ -35,15 +35,10 @@ class Remainder {
   [[nodiscard]] std::uint32_t outside() const { return static_cast<std::uint32_t>(columns_.spans.size()); }
 
   void join_columns(std::uint32_t c, std::uint32_t d) {
-    const auto [c0, c1] = columns_.of(c);
-    const auto [d0, d1] = columns_.of(d);
-    for (std::uint32_t s = c0; s < c1; ++s) {
-      if (room_of_span_[s] != kNoCell) continue;
-      for (std::uint32_t t = d0; t < d1; ++t) {
-        if (room_of_span_[t] == kNoCell && overlap_m(columns_.spans[s], columns_.spans[t]) >= kLeastOverlap)
-          joined_.join(s, t);
-      }
-    }
+    for_each_overlap(columns_, c, d, [&](std::uint32_t s, std::uint32_t t) {
+      if (room_of_span_[s] != kNoCell || room_of_span_[t] != kNoCell) return;
+      if (overlap_m(columns_.spans[s], columns_.spans[t]) >= kLeastOverlap) joined_.join(s, t);
+    });
   }
 
   void join_all() {
@@ -57,10 +52,7 @@ class Remainder {
       if (!span.roofed() || at_border) joined_.join(s, outside());
       if (span.cut && room_of_span_[s + 1] == kNoCell) joined_.join(s, s + 1);
     }
-    for (std::uint32_t c = 0; c < raster.count(); ++c) {
-      if (raster.i(c) + 1 < raster.nx) join_columns(c, c + 1);
-      if (raster.j(c) + 1 < raster.ny) join_columns(c, c + raster.nx);
-    }
+    raster.for_each_pair([&](std::uint32_t c, std::uint32_t d, std::size_t) { join_columns(c, d); });
   }
 
   void number_from(std::size_t room_count) {

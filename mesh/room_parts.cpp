@@ -42,7 +42,10 @@ struct Part {
 class Parting {
  public:
   Parting(const Columns& columns, const PartingLines& lines, RoomCells& cells)
-      : columns_(columns), lines_(lines), cells_(cells), sets_(columns.spans.size()) {
+      : columns_(columns), lines_(lines), cells_(cells), sets_(columns.spans.size()), is_crossed_(cells.count, 0) {
+    for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
+      if (cells_.of_span[s] != kNoCell && (lines_.open[s] | lines_.shut[s]) != 0) is_crossed_[index(s)] = 1;
+    }
     std::vector<std::uint32_t> joined;
     for_each_link([&](std::uint32_t s, std::uint32_t t, std::size_t axis) {
       if (on_line(s, axis)) {
@@ -74,12 +77,18 @@ class Parting {
   template <class Visit>
   void for_each_link(const Visit& visit) const {
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
-      if (cells_.of_span[s] == kNoCell) continue;
+      if (!is_looked_at(s)) continue;
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const std::uint32_t t = beside_in_cell(columns_, cells_.of_span, s, axis);
         if (t != Span::kNone) visit(s, t, axis);
       }
     }
+  }
+
+  [[nodiscard]] std::size_t index(std::uint32_t s) const { return static_cast<std::size_t>(cells_.of_span[s]); }
+  /// Whether a span is of a cell that lines lead through: the others stay as they are.
+  [[nodiscard]] bool is_looked_at(std::uint32_t s) const {
+    return cells_.of_span[s] != kNoCell && is_crossed_[index(s)] != 0;
   }
 
   [[nodiscard]] bool on_line(std::uint32_t s, std::size_t axis) const {
@@ -90,7 +99,7 @@ class Parting {
   void look_across_walls() {
     const int most = static_cast<int>(kThickWall / columns_.raster.cell_m) + 1;
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
-      if (cells_.of_span[s] == kNoCell) continue;
+      if (!is_looked_at(s)) continue;
       for (const auto& [di, dj] : {std::pair(1, 0), std::pair(0, 1)}) {
         const std::uint32_t t = across(s, di, dj, most);
         if (t != Span::kNone) walls_.emplace_back(s, t);
@@ -126,7 +135,7 @@ class Parting {
   /// What hangs together without a crossing.
   void find_pieces() {
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
-      if (cells_.of_span[s] == kNoCell) continue;
+      if (!is_looked_at(s)) continue;
       Part& piece = pieces_[sets_.root(s)];
       const bool furnished = !lines_.furnished.empty() && lines_.furnished[s] != 0;
       if (!furnished && columns_.spans[s].height() >= kHeadroom) piece.spans += 1.0;
@@ -198,7 +207,7 @@ class Parting {
     }
     std::map<std::uint32_t, CellId> numbers;
     for (std::uint32_t s = 0; s < cells_.of_span.size(); ++s) {
-      if (cells_.of_span[s] == kNoCell || largest.at(sets_.root(s)) == parts_root[s]) continue;
+      if (!is_looked_at(s) || largest.at(sets_.root(s)) == parts_root[s]) continue;
       const auto [entry, fresh] = numbers.try_emplace(parts_root[s], static_cast<CellId>(cells_.count));
       if (fresh) ++cells_.count;
       cells_.of_span[s] = entry->second;
@@ -209,6 +218,7 @@ class Parting {
   const PartingLines& lines_;
   RoomCells& cells_;
   DisjointSets<std::uint32_t> sets_;
+  std::vector<std::uint8_t> is_crossed_;  ///< [cells] non-zero where a line leads through
   std::vector<Crossing> crossings_;
   std::map<std::uint32_t, Part> pieces_;  ///< by their roots before any were merged
   std::vector<Pair> walls_;
@@ -223,8 +233,9 @@ std::uint32_t beside_in_cell(const Columns& columns, const std::vector<CellId>& 
   std::uint32_t best = Span::kNone;
   float most = 0.0F;
   for (std::uint32_t t = columns.of(*column).first; t < columns.of(*column).second; ++t) {
+    if (of_span[t] != of_span[span]) continue;
     const float overlap = overlap_m(columns.spans[span], columns.spans[t]);
-    if (of_span[t] != of_span[span] || overlap <= most) continue;
+    if (overlap <= most) continue;
     most = overlap;
     best = t;
   }
