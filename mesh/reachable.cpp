@@ -16,13 +16,18 @@ namespace clerestory::mesh {
 
 namespace {
 
-/// Rays that a region's side sends out at first, and once more when they are not decisive.
+/// Rays that a region's side sends out at first, and once more when they are not decisive. Of sides of closed shells inside of which there is
+/// no sign of light, the first few are enough.
+constexpr std::uint32_t kFewRays = 16;
 constexpr std::uint32_t kRays = 64;
 constexpr std::uint32_t kMoreRays = 256;
 /// Sides that bound a space of which other sides are reached lie behind a slit, perhaps: they are asked on, up to so many rays a side, and
 /// rays of them all: where there are many of these sides, each sends fewer.
 constexpr std::uint32_t kMostRays = 4096;
 constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 19U;
+constexpr double kShareOfFewRays = static_cast<double>(kFewRays) / kRays;
+/// A shell encloses a space from this share of the volume of the box around it on; what has no thickness encloses nothing but rounding.
+constexpr double kLeastEnclosed = 1e-6;
 /// So many exchanged rays make a side reached: 3 % of kRays, and never one alone.
 constexpr std::uint32_t kNeeded = 2;
 /// Rays of all point sources together, and of each at least.
@@ -76,8 +81,12 @@ class Search {
 
   /// Sends rays from the given nodes and follows what they tell to its end.
   void search(const std::vector<Node>& nodes, Progress& progress) {
-    PhasePart casting(progress, 0.0, 1.0);
-    cast(nodes, 0, kRays, casting);
+    const std::vector<Node> shells = side_shells(faces_, regions_);
+    PhasePart few_rays(progress, 0.0, kShareOfFewRays);
+    cast(nodes, 0, kFewRays, few_rays);
+    settle();
+    PhasePart casting(progress, kShareOfFewRays, 1.0);
+    cast(outside_of_solids(nodes, shells), kFewRays, kRays - kFewRays, casting);
     settle();
     for (std::vector<Node> doubtful = undecided(nodes); !doubtful.empty(); doubtful = undecided(nodes)) {
       NoProgress untold;
@@ -85,7 +94,7 @@ class Search {
       cast(doubtful, kRays, kMoreRays, few);
       settle();
     }
-    search_behind_slits(nodes);
+    search_behind_slits(nodes, shells);
   }
 
  private:
@@ -102,8 +111,7 @@ class Search {
     if (std::exchange(reached_[node], std::uint8_t{1}) == 0) fresh_.push_back(node);
   }
   /// Rays from sides that are not reached though they share a shell with some that are, twice as many from round to round.
-  void search_behind_slits(const std::vector<Node>& nodes) {
-    const std::vector<Node> shells = side_shells(faces_, regions_);
+  void search_behind_slits(const std::vector<Node>& nodes, const std::vector<Node>& shells) {
     std::size_t left = kMostRaysOfAll;
     for (std::uint32_t sent = kRays + kMoreRays; sent < kMostRays;) {
       const std::vector<Node> open = beside_reached(nodes, shells);
@@ -128,6 +136,9 @@ class Search {
                  [&](Node n) { return reached_[n] == 0 && has_reached[shells[n]] != 0 && !thin_[n / 2]; });
     return found;
   }
+  /// Those but for the sides of closed opaque shells, seen from inside, of which no ray has told of light.
+  [[nodiscard]] std::vector<Node> outside_of_solids(const std::vector<Node>& nodes,
+                                                    const std::vector<Node>& shells) const;
   void count_for_sender(Path& path) {
     if (path.from != kNobody && !std::exchange(path.counted, true)) credit(path.from);
   }
@@ -172,6 +183,35 @@ void Search::cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint
       follow(node, {points.at(i) + rays_.offset_m() * normal, direction});
     }
   }
+}
+
+std::vector<Node> Search::outside_of_solids(const std::vector<Node>& nodes, const std::vector<Node>& shells) const {
+  struct Shell {
+    double enclosed_m3 = 0.0;  ///< the volume that its sides look into; negative where they look out
+    Box box;
+    bool lit = false;
+  };
+  std::vector<Shell> of(shells.size());  // by their smallest members
+  for (Node n = 0; n < shells.size(); ++n) {
+    const FaceId face = regions_.face[n / 2];
+    const Passage& passage = rays_.passage(face);
+    Shell& shell = of[shells[n]];
+    if (reached_[n] != 0 || evidence_[n] != 0 || passage.curve != Passage::kOpaque || passage.opening) shell.lit = true;
+    const Point& origin = faces_.faces[face.index()].origin;
+    const Vector normal = side_normal(faces_, face, side(n));
+    shell.enclosed_m3 -= dot(origin - Point{}, normal) * regions_.area_m2[n / 2] / 3.0;
+    for (const std::uint32_t t : regions_.of(n / 2)) {
+      for (const Point& p : corners(faces_, t)) shell.box.add(p);
+    }
+  }
+  const auto is_dark = [&](Node n) {
+    const Shell& shell = of[shells[n]];
+    const Vector size = shell.box.size();
+    return !shell.lit && shell.enclosed_m3 > kLeastEnclosed * size.x * size.y * size.z;
+  };
+  std::vector<Node> found;
+  std::ranges::copy_if(nodes, std::back_inserter(found), [&](Node n) { return !is_dark(n); });
+  return found;
 }
 
 void Search::follow(Node from, Ray ray) {

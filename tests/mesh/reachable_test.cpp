@@ -157,6 +157,20 @@ TEST(Reachable, SidesThatShineAndWhatTheySeeAreReachable) {
   EXPECT_EQ(any_inside(reachable_sides(faces, rays, seeds, {})), Found::kAll);
 }
 
+TEST(Reachable, ASmallLampInAClosedRoomLightsAllOfIt) {
+  Model model = thick_walled_room(false);
+  support::add_box(model, {1.0, 1.0, 2.0}, {1.03, 1.03, 2.03}, {"lamp", "lamp"}, support::Fronts::kOutward);
+  const Faces faces = faces_of(model);
+  const Rays rays(faces);
+  std::vector<std::uint8_t> seeds(2 * faces.count(), 0);
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    if (faces.material_names[faces.faces[f].material.index()] == "lamp") seeds[2 * f] = 1;
+  }
+  const auto sides = reachable_sides(faces, rays, seeds, {});
+  EXPECT_EQ(found(faces, sides, "inner", inner_open_side), Found::kAll);
+  EXPECT_EQ(found(faces, sides, "inner", inner_solid_side), Found::kNone);
+}
+
 TEST(Reachable, GlassLetsTheOutsideIn) {
   Model model = support::box_room(3, 4, 3);
   Model windowed;
