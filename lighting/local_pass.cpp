@@ -171,6 +171,35 @@ LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const S
   }
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
+  const std::vector<ElementId> elements = solution.elements();
+  if (std::any_of(elements.begin(), elements.end(), [&](ElementId e) { return is_closed(e); })) {
+    sent_.resize(solution.tree().size() * solution.channels());
+    for (const ElementId root : solution.tree().roots()) pull(root);
+  }
+}
+
+void LocalPass::pull(ElementId e) {
+  const mesh::ElementTree& tree = solution_.tree();
+  const std::size_t n = solution_.channels();
+  if (!solution_.is_open(e)) {
+    for (std::size_t c = 0; c < n; ++c) sent_[e.index() * n + c] = {solution_.radiosity(e)[c], solution_.moments(e)[c]};
+    return;
+  }
+  for (std::size_t k = 0; k < tree.child_count(e); ++k) {
+    const ElementId child(tree.first_child(e).index() + k);
+    pull(child);
+    const auto share = static_cast<float>(tree.area(child) / tree.area(e));
+    const Vector d = tree.centroid(child) - tree.centroid(e);
+    const auto du = static_cast<float>(dot(d, tree.axes(e).u));
+    const auto dv = static_cast<float>(dot(d, tree.axes(e).v));
+    for (std::size_t c = 0; c < n; ++c) {
+      const Solution::Sent& part = sent_[child.index() * n + c];
+      Solution::Sent& sum = sent_[e.index() * n + c];
+      sum.value += share * part.value;
+      sum.moments.u += share * (part.moments.u + part.value * du);
+      sum.moments.v += share * (part.moments.v + part.value * dv);
+    }
+  }
 }
 
 /// Errors of many openings, each a small share of the light, even out.
@@ -186,7 +215,25 @@ bool LocalPass::is_closed(ElementId element) const {
 LocalPass::Light LocalPass::at(ElementId element, const Point& point) const {
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
-  return is_closed(element) ? by_links(element, receiver) : light(element, receiver);
+  Light found = is_closed(element) ? by_links(element, receiver) : light(element, receiver);
+  if (is_dark(element)) {
+    const double error = errors_.point_error(solution_, element);
+    if (luminance_of(found) <= std::min(error, accuracy_ * dark_lux_))
+      return {std::vector<double>(solution_.channels(), 0.0), error};
+  }
+  return found;
+}
+
+/// Whether nothing at all reaches an element in the solution, as below a solid that stands on it.
+bool LocalPass::is_dark(ElementId element) const {
+  const std::span<const LinearValue> lux = solution_.irradiance(element);
+  return std::all_of(lux.begin(), lux.end(), [](const LinearValue& l) { return l == LinearValue{}; });
+}
+
+double LocalPass::luminance_of(const Light& light) const {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < light.lux.size(); ++c) sum += solution_.scene().channel_weights[c] * light.lux[c];
+  return sum;
 }
 
 std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Point& point,
@@ -245,9 +292,10 @@ LocalPass::Light LocalPass::by_links(ElementId element, const Receiver& receiver
       add_source(source, receiver, light.lux);
       if (is_near(source, receiver)) continue;
       // How radiosity and factor run over the source together.
-      const std::span<const Moments> moments = solution_.moments(source);
-      for (std::size_t c = 0; c < light.lux.size(); ++c)
-        light.lux[c] += arrival.moment_u() * moments[c].u + arrival.moment_v() * moments[c].v;
+      for (std::size_t c = 0; c < light.lux.size(); ++c) {
+        const Moments& moments = sent_[source.index() * light.lux.size() + c].moments;
+        light.lux[c] += arrival.moment_u() * moments.u + arrival.moment_v() * moments.v;
+      }
     }
   }
   return light;
@@ -269,8 +317,7 @@ void LocalPass::add_source(ElementId source, const Receiver& receiver, std::vect
   std::array<mesh::OutlineEdge, 3> scratch;
   const double factor =
       point_form_factor(receiver.from, receiver.normal, tree.outline(source, scratch), tree.normal(source));
-  const std::span<const float> radiosity = solution_.radiosity(source);
-  for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * radiosity[c];
+  for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * sent_[source.index() * lux.size() + c].value;
 }
 
 double LocalPass::by_luminaires(const Receiver& receiver, double tolerance) const {

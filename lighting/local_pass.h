@@ -36,7 +36,8 @@ class LocalPass {
   LocalPass(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
             std::span<const NodeDirect> nodes, double accuracy, double dark_lux);
 
-  /// Light at a point of an element.
+  /// Light at a point of an element. Where nothing reaches the element, its points stay dark unless they see more than its error and than
+  /// the accuracy lets pass: at the edge of what a solid covers that stops a hair short, light falls into the gap.
   [[nodiscard]] Light at(mesh::ElementId element, const mesh::Point& point) const;
   /// The same at the point of a limit surface that a point of an element of a curved part stands for, with that surface's normal: shading is
   /// smooth over the triangles that rays see. Where that point is above its triangle rays start from it, else from the triangle. Nothing where the
@@ -65,6 +66,8 @@ class LocalPass {
   };
 
   [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
+  [[nodiscard]] bool is_dark(mesh::ElementId element) const;
+  [[nodiscard]] double luminance_of(const Light& light) const;
   [[nodiscard]] Light by_links(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] bool is_near(mesh::ElementId source, const Receiver& receiver) const;
   void add_source(mesh::ElementId source, const Receiver& receiver, std::vector<double>& lux) const;
@@ -77,11 +80,15 @@ class LocalPass {
   void add_missed(std::span<const Missed> missed, const Receiver& receiver, Sum& sum) const;
   void from_surfaces(const Receiver& receiver, Sum& sum) const;
 
+  /// Radiosities of a node and all below it as they are: the solution scales them where hemispheres were closed.
+  void pull(mesh::ElementId e);
+
   const Solution& solution_;
   const Arrivals& arrivals_;
   const SolutionErrors& errors_;
   std::span<const NodeDirect> nodes_;
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
+  std::vector<Solution::Sent> sent_;    ///< [nodes × channels] where elements are closed
   std::vector<Emitter> emitters_;
   std::vector<LuminaireView> luminaires_;  ///< all, of which nothing is known
   std::vector<mesh::ShaftEnd> opening_ends_;
