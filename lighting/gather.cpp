@@ -181,10 +181,13 @@ class Gatherer {
     return state;
   }
 
-  /// Samples on until the error allowed [lux] is kept, or it is time to finish.
+  /// Samples on until the accuracy is kept, or it is time to finish. What it allows follows the light as it gets known: the first few rays may
+  /// have found far too much.
+  /// @param dark_lux  darker sensors need not be better than those of so much light
   template <class ShouldFinish>
-  void improve(SensorState& state, double allowed_lux, std::size_t sensor, const Point& at, const Receiver& receiver,
-               const ShouldFinish& should_finish) const {
+  void improve(SensorState& state, double accuracy, double dark_lux, std::size_t sensor, const Point& at,
+               const Receiver& receiver, const ShouldFinish& should_finish) const {
+    double allowed_lux = accuracy * std::max(state.mean(), dark_lux);
     for (Part& p : state.parts) {
       if (is_dark_opening(p) && std::sqrt(p.variance()) > kNeglected * allowed_lux && !should_finish())
         look_into(p, sensor, at, receiver);
@@ -213,6 +216,7 @@ class Gatherer {
       else
         extend(*best, 2 * best->rays, sensor, at, receiver);
       settle_discretisation(state);
+      allowed_lux = accuracy * std::max(state.mean(), dark_lux);
     }
   }
 
@@ -351,8 +355,7 @@ Gathered gather(const Solution& solution, const SolutionErrors& errors, const Se
   for (const SensorState& s : states) mean += s.mean() / static_cast<double>(count);
   PhasePart improving(progress, kShareOfBeginnings, 1.0);
   for_sensors(count, improving, [&](std::size_t i, const auto& should_finish) {
-    const double level = std::max(states[i].mean(), kDarkShare * mean);
-    gatherer.improve(states[i], accuracy * level, i, lifted[i], sensors.receiver(i), should_finish);
+    gatherer.improve(states[i], accuracy, kDarkShare * mean, i, lifted[i], sensors.receiver(i), should_finish);
   });
   Gathered result;
   for (const SensorState& s : states) {

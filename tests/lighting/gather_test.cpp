@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "lighting/dark_share.h"
 #include "tests/lighting/stages.h"
 #include "tests/support/blocked_lamp.h"
 #include "tests/support/lamps.h"
@@ -159,6 +160,27 @@ double rms_relative_error(const Gathered& e) {
     sum += r * r / static_cast<double>(e.error_lux.size());
   }
   return std::sqrt(sum);
+}
+
+TEST(Gather, EachSensorKeepsTheAccuracyOfItsOwnLight) {
+  // A lamp close below the ceiling makes a small bright patch there, of which the first rays may find far too much.
+  mesh::Model model = support::box_room(6, 6, 3);
+  support::add_quad(model, {0.5, 0.5, 2.8}, {0.7, 0.5, 2.8}, {0.7, 0.7, 2.8}, {0.5, 0.7, 2.8}, {"lamp", "lamp"});
+  Study study = test::study_of(std::move(model), 0.2, {3, 3, 0.8});
+  test::shine(test::material(study, "lamp"), 50000.0);
+  const test::Solved solved(study);
+  std::vector<Point> points;
+  for (double x = 0.25; x < 6.0; x += 0.5) {
+    for (double y = 0.25; y < 6.0; y += 0.5) points.push_back({x, y, 0.8});
+  }
+  constexpr double kAccuracy = 0.08;
+  const Gathered lit = gathered(solved, points, std::vector<Vector>(points.size(), {0, 0, 1}), kAccuracy);
+  double mean = 0.0;
+  for (const float lux : lit.illuminance_lux) mean += lux / static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double level = std::max<double>(lit.illuminance_lux[i], kDarkShare * mean);
+    EXPECT_LE(lit.error_lux[i], kAccuracy * level) << points[i].x << " " << points[i].y;
+  }
 }
 
 TEST(Gather, StatedErrorShrinksWithTheAccuracyAsked) {
