@@ -104,8 +104,9 @@ class Solver {
     }
   }
 
-  /// Lets those who do so look around, and gives the links to begin with.
+  /// Lets those who do so look around, and gives the links to begin with: none where nothing shines.
   std::vector<LinkCandidate> begin() {
+    if (scale_lux_ <= 0.0) return {};
     const bool few = clusters_.are_few();
     Receivers receivers;
     if (few) {

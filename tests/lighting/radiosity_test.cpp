@@ -236,6 +236,16 @@ TEST(Radiosity, TwiceTheLightGivesTwiceTheResultToTheBit) {
   }
 }
 
+TEST(Radiosity, WhereNothingShinesThereIsNothingToLink) {
+  mesh::Model model = support::box_room(4, 4, 3);
+  for (int i = 0; i < 60; ++i)
+    support::add_quad(model, {0.5, 0.05 * i, 1}, {1, 0.05 * i, 1}, {1, 0.05 * i + 0.04, 1}, {0.5, 0.05 * i + 0.04, 1},
+                      {"slat", "slat"});
+  const Solved dark(test::study_of(std::move(model), 0.5, {2, 2, 0.8}));
+  EXPECT_EQ(dark.transport.arrivals.count(), 0U);
+  EXPECT_EQ(dark.solution.elements().size(), dark.solution.tree().roots().size());
+}
+
 TEST(Radiosity, IteratesUntilWhatIsMissingIsFarBelowTheAccuracy) {
   Study study = lamp_room();
   for (Material& m : study.materials) m.front.reflectance = Spectrum{0.95F};
