@@ -80,10 +80,11 @@ Answer run_and_write(const Question& question, const io::ResultContext& context,
 }
 
 /// The exit status, and the line on stderr that belongs to it.
-int conclude(const lighting::Results& results, const Options& options) {
+int conclude(const lighting::Results& results, const Options& options, bool from_stored) {
   const bool by_user = results.stopped && results.stopped->by == lighting::Stop::By::kUser;
   if (!by_user && results.accuracy_met) return kDone;
-  fmt::print(stderr, "error: {}; the results in {} are marked so\n", shortfall(results), options.out.string());
+  fmt::print(stderr, "error: {}; the results in {} are marked so; {}\n", shortfall(results), options.out.string(),
+             remedy(results, from_stored));
   return by_user ? kInterruptedByUser : kAccuracyNotReached;
 }
 
@@ -106,7 +107,7 @@ int answer(const Options& options, const std::function<Question()>& read) {
   } else if (!options.quiet) {
     print(report(answer.results, context, options.out), kConsolation);
   }
-  return conclude(answer.results, options);
+  return conclude(answer.results, options, question.from_stored);
 }
 
 int answer(lighting::Study::Kind kind, const Options& options) {

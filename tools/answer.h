@@ -18,6 +18,7 @@ struct Question {
   std::filesystem::path file;  ///< the study's, or the model's
   io::StudyInput input;
   std::function<lighting::Results(Progress&, const lighting::Limits&)> compute;
+  bool from_stored = false;  ///< by a solution that a run has kept
 };
 
 /// The way that every subcommand with results takes: reads what is asked, makes sure that the results can be written, computes, writes

@@ -131,4 +131,21 @@ std::string shortfall(const lighting::Results& results) {
                             percent(results.accuracy_reached));
 }
 
+std::string remedy(const lighting::Results& results, bool from_stored) {
+  if (results.stopped) {
+    switch (results.stopped->by) {
+      case lighting::Stop::By::kTime:
+        return "give more time by --max-time";
+      case lighting::Stop::By::kMemory:
+        return "allow more by --max-memory";
+      case lighting::Stop::By::kElements:
+        return "allow more by mesh.max_elements";
+      case lighting::Stop::By::kUser:
+        return "run it again, to its end";
+    }
+  }
+  if (from_stored) return "the stored solution is too coarse for this: run the study with these grids and this light";
+  return "ask for a finer accuracy by --accuracy, or see which sensors have the largest error_lux";
+}
+
 }  // namespace clerestory::tools

@@ -17,5 +17,8 @@ std::string report(const lighting::Results& results, const io::ResultContext& co
 
 /// What kept a run from its accuracy: "the accuracy of 2 % was not reached, only 3.1 %", after what has stopped it.
 std::string shortfall(const lighting::Results& results);
+/// What to do about that.
+/// @param from_stored  whether the results are by a solution that an earlier run has kept
+std::string remedy(const lighting::Results& results, bool from_stored);
 
 }  // namespace clerestory::tools

@@ -44,7 +44,8 @@ int sense(const Options& options) {
     Question question{
         stored->study,
         io::read_study(stored->study, {.kind = stored->kind, .set = std::move(set), .grids = options.grids}),
-        {}};
+        {},
+        true};
     question.compute = [study = question.input.study, stored, file](Progress& progress,
                                                                     const lighting::Limits& limits) {
       return with_file(file, [&] { return lighting::sense(study, stored->solution, progress, limits); });

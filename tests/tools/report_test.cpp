@@ -86,6 +86,18 @@ TEST(Report, ARunOutOfElementsHasConverged) {
             "sensors");
 }
 
+TEST(Report, ForWhatWasNotReachedThereIsARemedy) {
+  auto results = one_grid();
+  EXPECT_THAT(remedy(results, false), HasSubstr("--accuracy"));
+  EXPECT_THAT(remedy(results, true), HasSubstr("run the study"));
+  results.stopped = lighting::Stop{lighting::Stop::By::kMemory, "linking"};
+  EXPECT_THAT(remedy(results, false), HasSubstr("--max-memory"));
+  results.stopped = lighting::Stop{lighting::Stop::By::kTime, "linking"};
+  EXPECT_THAT(remedy(results, true), HasSubstr("--max-time"));
+  results.stopped = lighting::Stop{lighting::Stop::By::kElements, "linking"};
+  EXPECT_THAT(remedy(results, false), HasSubstr("mesh.max_elements"));
+}
+
 TEST(Report, SaysEachAssumptionAndNoticeOnce) {
   auto results = one_grid();
   results.assumptions = {"units are metres", "units are metres"};
