@@ -257,7 +257,7 @@ def stored_solution_answers_new_grids_and_no_other_study(command):
             for table in (solved["workplane.csv"], command.contents("bright")["workplane.csv"])]
     expect(mean[1] > 1.1 * mean[0], f"brighter walls give {mean[1]} after {mean[0]}")
     expect("--save-solution" in command.run("sense", "eyes", status=1, lines=1), "no remedy")
-    expect("run the study" in command.run("sense", "room-results", "--accuracy", "0.2%", "--quiet", "-o", "fine", status=4, lines=1),
+    expect("run the study" in command.run("sense", "room-results", "--accuracy", "0.05%", "--quiet", "-o", "fine", status=4, lines=1),
            "no remedy for a solution too coarse")
     expect(command.contents("room-results") == solved, "the solved results have changed")
     command.run("daylight", "room.toml", "--quiet")
