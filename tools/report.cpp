@@ -144,7 +144,8 @@ std::string remedy(const lighting::Results& results, bool from_stored) {
         return "run it again, to its end";
     }
   }
-  if (from_stored) return "the stored solution is too coarse for this: run the study with these grids, light and accuracy";
+  if (from_stored)
+    return "the stored solution is too coarse for this: run the study with these grids, light and accuracy";
   return "ask for a finer accuracy by --accuracy, or see which sensors have the largest error_lux";
 }
 
