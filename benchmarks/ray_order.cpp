@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/study_file.h"
+#include "benchmarks/study_arguments.h"
 #include "lighting/run.h"
 #include "mesh/rays.h"
 
@@ -129,15 +129,10 @@ mesh::Hit recorded_first_hit(const mesh::Rays* rays, const mesh::Ray& ray) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fmt::print(stderr, "usage: {} STUDY daylight|illuminance ACCURACY\n", argv[0]);
+    fmt::print(stderr, "usage: {} {}\n", argv[0], kStudyArguments);
     return 2;
   }
-  lighting::set_threads(1);
-  const auto kind =
-      std::string(argv[2]) == "daylight" ? lighting::Study::Kind::kDaylight : lighting::Study::Kind::kIlluminance;
-  lighting::Study study = io::read_study(argv[1], {.kind = kind, .set = {}}).study;
-  study.accuracy.target = std::strtod(argv[3], nullptr);
   Replayer replayer;
-  lighting::run(study, replayer);
+  lighting::run(study_of_arguments(argv), replayer);
   return 0;
 }

@@ -3,20 +3,17 @@
 //   solver_parts STUDY daylight|illuminance ACCURACY all|clusters|importance|proofs
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <ctime>
 #include <string>
 
-#include "io/study_file.h"
+#include "benchmarks/study_arguments.h"
 #include "lighting/run.h"
 
 using namespace clerestory;
 
 namespace {
 
-lighting::Study study_without(const std::string& part, const io::StudyInput& input, double accuracy) {
-  lighting::Study study = input.study;
-  study.accuracy.target = accuracy;
+lighting::Study study_without(const std::string& part, lighting::Study study) {
   study.parts = {.clusters = part != "clusters", .importance = part != "importance", .proofs = part != "proofs"};
   study.mesh.discontinuities = false;  // what is shown does not tell of the solution
   return study;
@@ -26,14 +23,10 @@ lighting::Study study_without(const std::string& part, const io::StudyInput& inp
 
 int main(int argc, char** argv) {
   if (argc != 5) {
-    fmt::print(stderr, "usage: {} STUDY daylight|illuminance ACCURACY all|clusters|importance|proofs\n", argv[0]);
+    fmt::print(stderr, "usage: {} {} all|clusters|importance|proofs\n", argv[0], kStudyArguments);
     return 2;
   }
-  lighting::set_threads(1);
-  const auto kind =
-      std::string(argv[2]) == "daylight" ? lighting::Study::Kind::kDaylight : lighting::Study::Kind::kIlluminance;
-  const lighting::Study study =
-      study_without(argv[4], io::read_study(argv[1], {.kind = kind, .set = {}}), std::strtod(argv[3], nullptr));
+  const lighting::Study study = study_without(argv[4], study_of_arguments(argv));
   NoProgress nobody;
   const lighting::Results results = lighting::run(study, nobody);
   double linking_s = 0.0;
