@@ -14,34 +14,29 @@ constexpr std::size_t kChannelsOfBlock = 16;
 
 /// Radiosity of a node or cluster in one channel.
 struct Pulled {
-  double mean = 0.0;
+  MeanAndMoments<double> sent;
   double square = 0.0;  ///< mean of the square
-  double u = 0.0;       ///< first moments
-  double v = 0.0;
 
-  [[nodiscard]] double variance() const { return std::max(0.0, square - mean * mean); }
+  [[nodiscard]] double variance() const { return std::max(0.0, square - sent.mean * sent.mean); }
 };
 
 Pulled of_element(const LinearValue& line, const mesh::SecondMoments& area) {
   const Moments m = moments_of(line, area);
   const double mean = line.value;
-  return {mean, mean * mean + line.slope_u * m.u + line.slope_v * m.v, m.u, m.v};
+  return {{mean, m.u, m.v}, mean * mean + line.slope_u * m.u + line.slope_v * m.v};
 }
 
 void hand_up(const ChannelSystem::Row& row, const Pulled& part, Pulled& parent) {
-  parent.mean += row.share * part.mean;
-  parent.square += row.share * part.square;
-  parent.u += row.share * (part.u + row.du * part.mean);
-  parent.v += row.share * (part.v + row.dv * part.mean);
+  parent.sent.add_part(part.sent, row.place);
+  parent.square += row.place.share * part.square;
 }
 
 /// What the line through a node explains, comes off the variance.
 double deviation_from_line(const Pulled& own, const mesh::SecondMoments& area) {
+  const auto& [mean, u, v] = own.sent;
   const double determinant = area.uu * area.vv - area.uv * area.uv;
   const double explained =
-      determinant > 0.0
-          ? (own.u * own.u * area.vv - 2.0 * own.u * own.v * area.uv + own.v * own.v * area.uu) / determinant
-          : 0.0;
+      determinant > 0.0 ? (u * u * area.vv - 2.0 * u * v * area.uv + v * v * area.uu) / determinant : 0.0;
   return std::sqrt(std::max(0.0, own.variance() - explained));
 }
 
@@ -65,7 +60,7 @@ std::vector<float> largest(const ChannelSystem& system, std::size_t first, std::
       const ChannelSystem::Cluster& cluster = system.clusters[c];
       const std::size_t own = system.rows.size() + c;
       const auto add = [&](std::uint32_t part, double share) {
-        pulled[own].mean += share * pulled[part].mean;
+        pulled[own].sent.mean += share * pulled[part].sent.mean;
         pulled[own].square += share * pulled[part].square;
       };
       add(cluster.left, cluster.left_share);

@@ -40,7 +40,7 @@ void add(Line& sum, const Line& more) {
 
 /// Adds a line over a parent as its child has it.
 void add_shifted(Line& sum, const ChannelSystem::Row& row, const Line& parent) {
-  sum.value.values += parent.value.values + row.du * parent.u.values + row.dv * parent.v.values;
+  sum.value.values += parent.value.values + row.place.du * parent.u.values + row.place.dv * parent.v.values;
   sum.u.values += parent.u.values;
   sum.v.values += parent.v.values;
 }
@@ -248,9 +248,9 @@ class Block {
   }
 
   static void hand_up(const Row& row, const Line& sent, Line& parent) {
-    add(parent.value, row.share, sent.value);
-    parent.u.values += row.share * (sent.u.values + row.du * sent.value.values);
-    parent.v.values += row.share * (sent.v.values + row.dv * sent.value.values);
+    add(parent.value, row.place.share, sent.value);
+    parent.u.values += row.place.share * (sent.u.values + row.place.du * sent.value.values);
+    parent.v.values += row.place.share * (sent.v.values + row.place.dv * sent.value.values);
   }
 
   void pull_clusters() {

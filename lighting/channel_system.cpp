@@ -23,14 +23,11 @@ void ChannelSystem::add_rows(const Solution& solution) {
     row.node = e;
     row.is_element = !solution.is_open(e);
     row.closing = solution.closing(e);
-    row.is_closed = row.is_element && !(row.closing == LinearValue{1.0F, 0.0F, 0.0F});
+    row.is_closed = row.is_element && solution.is_closed(e);
     row.area = tree.second_moments(e);
     if (parent.valid()) {
-      const Vector d = tree.centroid(e) - tree.centroid(parent);
       row.parent = row_of(parent);
-      row.share = static_cast<float>(tree.area(e) / tree.area(parent));
-      row.du = static_cast<float>(dot(d, tree.axes(e).u));
-      row.dv = static_cast<float>(dot(d, tree.axes(e).v));
+      row.place = {tree, e};
     }
     row_of_[i] = static_cast<std::uint32_t>(rows.size());
     rows.push_back(row);

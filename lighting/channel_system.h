@@ -22,9 +22,7 @@ struct ChannelSystem {
     std::uint32_t parent = kNone;  ///< row
     bool is_element = false;
     bool is_closed = false;  ///< its exchange by links is scaled
-    float share = 0.0F;      ///< of the parent's area
-    float du = 0.0F;         ///< from the parent's centroid [m]
-    float dv = 0.0F;
+    PlaceInParent<float> place;
     LinearValue closing;
     mesh::SecondMoments area;
   };

@@ -102,11 +102,7 @@ class Exchange {
   }
 
  private:
-  struct Sent {
-    double mean = 0.0;
-    double u = 0.0;
-    double v = 0.0;
-  };
+  using Sent = MeanAndMoments<double>;
   struct Line {
     double value = 0.0;
     double u = 0.0;
@@ -125,12 +121,7 @@ class Exchange {
     for (std::size_t k = 0; k < tree.child_count(e); ++k) {
       const ElementId child(tree.first_child(e).index() + k);
       pull(child, values);
-      const Sent& part = sent_[child.index()];
-      const double share = tree.area(child) / tree.area(e);
-      const Vector d = tree.centroid(child) - tree.centroid(e);
-      sent.mean += share * part.mean;
-      sent.u += share * (part.u + part.mean * dot(d, tree.axes(e).u));
-      sent.v += share * (part.v + part.mean * dot(d, tree.axes(e).v));
+      sent.add_part(sent_[child.index()], PlaceInParent<double>(tree, child));
     }
   }
 

@@ -28,6 +28,8 @@ using mesh::Visibility;
 
 namespace {
 
+/// Errors at sensors are brought to this share of the accuracy.
+constexpr double kAimed = 0.93;
 /// Sampling takes what discretisation leaves of the error that is aimed at, and half of it anyway, since more rays cannot mend what the
 /// solution has wrong.
 constexpr double kLeastSampling = 0.5;

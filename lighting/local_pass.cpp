@@ -130,11 +130,7 @@ class LocalPass::Sum {
   /// Light that may have been missed.
   void doubt(double lux) { variance_ += lux * lux; }
 
-  [[nodiscard]] double weighted() const {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < lux_.size(); ++c) sum += solution_.scene().channel_weights[c] * lux_[c];
-    return sum;
-  }
+  [[nodiscard]] double weighted() const { return luminance(lux_, solution_.scene().channel_weights); }
   [[nodiscard]] Light light() && { return {std::move(lux_), std::sqrt(variance_)}; }
 
  private:
@@ -172,7 +168,7 @@ LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const S
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
   const std::vector<ElementId> elements = solution.elements();
-  if (std::any_of(elements.begin(), elements.end(), [&](ElementId e) { return is_closed(e); })) {
+  if (std::any_of(elements.begin(), elements.end(), [&](ElementId e) { return solution.is_closed(e); })) {
     sent_.resize(solution.tree().size() * solution.channels());
     for (const ElementId root : solution.tree().roots()) pull(root);
   }
@@ -182,23 +178,17 @@ void LocalPass::pull(ElementId e) {
   const mesh::ElementTree& tree = solution_.tree();
   const std::size_t n = solution_.channels();
   if (!solution_.is_open(e)) {
-    for (std::size_t c = 0; c < n; ++c) sent_[e.index() * n + c] = {solution_.radiosity(e)[c], solution_.moments(e)[c]};
+    for (std::size_t c = 0; c < n; ++c) {
+      const Moments& moments = solution_.moments(e)[c];
+      sent_[e.index() * n + c] = {solution_.radiosity(e)[c], moments.u, moments.v};
+    }
     return;
   }
   for (std::size_t k = 0; k < tree.child_count(e); ++k) {
     const ElementId child(tree.first_child(e).index() + k);
     pull(child);
-    const auto share = static_cast<float>(tree.area(child) / tree.area(e));
-    const Vector d = tree.centroid(child) - tree.centroid(e);
-    const auto du = static_cast<float>(dot(d, tree.axes(e).u));
-    const auto dv = static_cast<float>(dot(d, tree.axes(e).v));
-    for (std::size_t c = 0; c < n; ++c) {
-      const Solution::Sent& part = sent_[child.index() * n + c];
-      Solution::Sent& sum = sent_[e.index() * n + c];
-      sum.value += share * part.value;
-      sum.moments.u += share * (part.moments.u + part.value * du);
-      sum.moments.v += share * (part.moments.v + part.value * dv);
-    }
+    const PlaceInParent<float> place(tree, child);
+    for (std::size_t c = 0; c < n; ++c) sent_[e.index() * n + c].add_part(sent_[child.index() * n + c], place);
   }
 }
 
@@ -208,17 +198,13 @@ std::uint32_t LocalPass::rays_each(std::size_t openings) const {
   return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), std::min(kFewRays, rays_), rays_);
 }
 
-bool LocalPass::is_closed(ElementId element) const {
-  return !(solution_.closing(element) == LinearValue{1.0F, 0.0F, 0.0F});
-}
-
 LocalPass::Light LocalPass::at(ElementId element, const Point& point) const {
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
-  Light found = is_closed(element) ? by_links(element, receiver) : light(element, receiver);
+  Light found = solution_.is_closed(element) ? by_links(element, receiver) : light(element, receiver);
   if (is_dark(element)) {
     const double error = errors_.point_error(solution_, element);
-    if (luminance_of(found) <= std::min(error, accuracy_ * dark_lux_))
+    if (luminance(found.lux, solution_.scene().channel_weights) <= std::min(error, accuracy_ * dark_lux_))
       return {std::vector<double>(solution_.channels(), 0.0), error};
   }
   return found;
@@ -230,15 +216,9 @@ bool LocalPass::is_dark(ElementId element) const {
   return std::all_of(lux.begin(), lux.end(), [](const LinearValue& l) { return l == LinearValue{}; });
 }
 
-double LocalPass::luminance_of(const Light& light) const {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < light.lux.size(); ++c) sum += solution_.scene().channel_weights[c] * light.lux[c];
-  return sum;
-}
-
 std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Point& point,
                                                     const mesh::LimitPoint& limit) const {
-  if (is_closed(element)) return std::nullopt;
+  if (solution_.is_closed(element)) return std::nullopt;
   const double above = std::max(0.0, dot(limit.at - point, limit.normal));
   const Vector lift = solution_.scene().rays->offset_m() * solution_.tree().normal(element);
   return light(element, {point + above * limit.normal + lift, limit.normal, luminaires_});
@@ -267,7 +247,7 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
 }
 
 std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point) const {
-  if (is_closed(element)) return std::nullopt;
+  if (solution_.is_closed(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
   double lux = by_luminaires(receiver, kRoughMean);
@@ -289,12 +269,11 @@ LocalPass::Light LocalPass::by_links(ElementId element, const Receiver& receiver
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     for (const Arrival& arrival : arrivals_.at(up)) {
       const ElementId source = arrival.source().element();
-      add_source(source, receiver, light.lux);
-      if (is_near(source, receiver)) continue;
+      if (!add_source(source, receiver, light.lux)) continue;
       // How radiosity and factor run over the source together.
       for (std::size_t c = 0; c < light.lux.size(); ++c) {
-        const Moments& moments = sent_[source.index() * light.lux.size() + c].moments;
-        light.lux[c] += arrival.moment_u() * moments.u + arrival.moment_v() * moments.v;
+        const Solution::Sent& sent = sent_[source.index() * light.lux.size() + c];
+        light.lux[c] += arrival.moment_u() * sent.u + arrival.moment_v() * sent.v;
       }
     }
   }
@@ -306,18 +285,19 @@ bool LocalPass::is_near(ElementId source, const Receiver& receiver) const {
   return solution_.is_open(source) && norm(tree.centroid(source) - receiver.from) < kNear * tree.radius(source);
 }
 
-/// Adds what a node gives to a point that sees all of it, by its parts where these are near.
-void LocalPass::add_source(ElementId source, const Receiver& receiver, std::vector<double>& lux) const {
+/// Adds what a node gives to a point that sees all of it, by its parts where it is near. Returns whether it was taken whole.
+bool LocalPass::add_source(ElementId source, const Receiver& receiver, std::vector<double>& lux) const {
   const mesh::ElementTree& tree = solution_.tree();
   if (is_near(source, receiver)) {
     for (std::size_t k = 0; k < tree.child_count(source); ++k)
       add_source(ElementId(tree.first_child(source).index() + k), receiver, lux);
-    return;
+    return false;
   }
   std::array<mesh::OutlineEdge, 3> scratch;
   const double factor =
       point_form_factor(receiver.from, receiver.normal, tree.outline(source, scratch), tree.normal(source));
-  for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * sent_[source.index() * lux.size() + c].value;
+  for (std::size_t c = 0; c < lux.size(); ++c) lux[c] += factor * sent_[source.index() * lux.size() + c].mean;
+  return true;
 }
 
 double LocalPass::by_luminaires(const Receiver& receiver, double tolerance) const {

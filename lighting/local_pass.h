@@ -49,8 +49,6 @@ class LocalPass {
   /// the element is closed, and where it takes rays, as panes or a crowd stand before a surface that shines.
   [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
   [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().luminaires.empty(); }
-  /// Whether all that surrounds an element is wholly seen, so that form factors were made to add up.
-  [[nodiscard]] bool is_closed(mesh::ElementId element) const;
 
  private:
   struct Receiver {
@@ -67,10 +65,9 @@ class LocalPass {
 
   [[nodiscard]] Light light(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] bool is_dark(mesh::ElementId element) const;
-  [[nodiscard]] double luminance_of(const Light& light) const;
   [[nodiscard]] Light by_links(mesh::ElementId element, const Receiver& receiver) const;
   [[nodiscard]] bool is_near(mesh::ElementId source, const Receiver& receiver) const;
-  void add_source(mesh::ElementId source, const Receiver& receiver, std::vector<double>& lux) const;
+  bool add_source(mesh::ElementId source, const Receiver& receiver, std::vector<double>& lux) const;
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;

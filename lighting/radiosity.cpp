@@ -68,9 +68,7 @@ class Solver {
     progress_.advance(kEndOfClosing);
     add_errors_of_looks();
     part_given_errors();
-    add_errors_of_suns();
-    add_link_errors(solution_, clusters_, arrivals_);
-    SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
+    SolutionErrors errors = add_errors_beside_given();
     progress_.advance(1.0);
     if (!options_.keep_link_errors) arrivals_.forget_errors();
     return {std::move(arrivals_), std::move(groups_), by_luminaires_lm_,    std::move(given_errors_),
@@ -412,8 +410,11 @@ class Solver {
     if (options_.keep_link_errors) given_lm_ = sunless_flux(solution_, {suns_.begin(), suns_.end()});
   }
 
-  void add_errors_of_suns() {
+  /// Adds the errors by rays to suns and those of the links, and gives what all errors together make.
+  SolutionErrors add_errors_beside_given() {
     for (const SunDirect& sun : suns_) solution_.add_error(sun.node, sun.errors.noise2, sun.errors.misfit2);
+    add_link_errors(solution_, clusters_, arrivals_);
+    return {solution_, arrivals_, clusters_, convergence_, options_.seed};
   }
 
   /// Whether what the errors of the solution make at the sensors leaves enough of the accuracy to the sensors' own rays.
@@ -421,10 +422,7 @@ class Solver {
     if (!options_.error_at_sensors) return false;
     const std::vector<Solution::Errors> given = solution_.errors();
     add_errors_of_looks();
-    add_errors_of_suns();
-    add_link_errors(solution_, clusters_, arrivals_);
-    const SolutionErrors errors(solution_, arrivals_, clusters_, convergence_, options_.seed);
-    const double error = options_.error_at_sensors(errors);
+    const double error = options_.error_at_sensors(add_errors_beside_given());
     solution_.set_errors(given);
     return error <= options_.discretisation_share * options_.accuracy;
   }

@@ -35,9 +35,9 @@ void add(const Solution& solution, const Clusters& clusters, const Arrival& arri
   const float slope_v = arrival.slope_v();
   for (std::size_t c = 0; c < sums.size(); ++c) {
     const Solution::Sent sent = sent_by(solution, clusters, arrival.source(), c);
-    sums[c].value += arrival.factor() * sent.value + moment_u * sent.moments.u + moment_v * sent.moments.v;
-    sums[c].slope_u += slope_u * sent.value;
-    sums[c].slope_v += slope_v * sent.value;
+    sums[c].value += arrival.factor() * sent.mean + moment_u * sent.u + moment_v * sent.v;
+    sums[c].slope_u += slope_u * sent.mean;
+    sums[c].slope_v += slope_v * sent.mean;
   }
 }
 

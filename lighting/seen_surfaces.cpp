@@ -46,7 +46,7 @@ double illuminance_by(const Solution& solution, std::span<const SeenSurface> see
   double lux = 0.0;
   for (const SeenSurface& one : seen) {
     const ElementId e = solution.element_at(one.node, one.at);
-    if (e.valid()) lux += static_cast<double>(one.factor) * solution.luminous_radiosity_at(e, one.at);
+    if (e.valid()) lux += static_cast<double>(one.factor) * solution.luminous_radiosity_at(e, one.at, true);
   }
   return lux;
 }

@@ -12,9 +12,6 @@
 
 namespace clerestory::lighting {
 
-/// Errors at sensors are brought to this share of the accuracy.
-inline constexpr double kAimed = 0.93;
-
 /// What light may be wrong by in each of the samples of a solution's errors [lux].
 using ErrorSums = std::array<double, SolutionErrors::kSamples>;
 
@@ -36,12 +33,7 @@ struct SensorLooker {
   void surface(const SurfacePoint& seen, float weight, bool with_emission) {
     const mesh::ElementId e = solution->element_at(seen.side, seen.region, seen.at);
     if (!e.valid()) return;
-    const Scene& scene = solution->scene();
-    float b = 0.0F;
-    for (std::size_t c = 0; c < scene.channels; ++c) {
-      b += scene.channel_weights[c] * solution->radiosity_at(e, seen.at, c, with_emission);
-    }
-    lux += static_cast<double>(weight) * b;
+    lux += static_cast<double>(weight) * solution->luminous_radiosity_at(e, seen.at, with_emission);
     const SolutionErrors::Samples samples = errors->radiosity(*solution, e, seen.at);
     for (std::size_t k = 0; k < samples.size(); ++k) wrong[k] += static_cast<double>(weight) * samples[k];
   }

@@ -13,12 +13,6 @@ namespace clerestory::lighting {
 using mesh::ElementId;
 using mesh::Vector;
 
-namespace {
-
-constexpr LinearValue kOpen{1.0F, 0.0F, 0.0F};  ///< nothing is scaled
-
-}  // namespace
-
 Solution::Solution(const Scene& scene, mesh::ElementTree tree)
     : scene_(&scene), tree_(std::move(tree)), element_count_(tree_.roots().size()) {
   grow();
@@ -37,7 +31,7 @@ void Solution::grow() {
   deviation_.resize(n, 0.0F);
   noise2_.resize(n, 0.0F);
   misfit2_.resize(n, 0.0F);
-  closing_.resize(n, kOpen);
+  closing_.resize(n, kUnscaled);
   change_.resize(n, 0.0F);
 }
 
@@ -126,9 +120,10 @@ float Solution::radiosity_at(ElementId e, const mesh::Point& point, std::size_t 
   return emission + scene_->side_reflectance(side)[channel] * lux;
 }
 
-float Solution::luminous_radiosity_at(ElementId e, const mesh::Point& point) const {
+float Solution::luminous_radiosity_at(ElementId e, const mesh::Point& point, bool with_emission) const {
   float all = 0.0F;
-  for (std::size_t c = 0; c < channels(); ++c) all += scene_->channel_weights[c] * radiosity_at(e, point, c, true);
+  for (std::size_t c = 0; c < channels(); ++c)
+    all += scene_->channel_weights[c] * radiosity_at(e, point, c, with_emission);
   return all;
 }
 
@@ -156,8 +151,8 @@ void Solution::push(ElementId e, const ElementId* parent) {
 }
 
 void Solution::apply_closing(ElementId e) {
+  if (!is_closed(e)) return;
   const LinearValue& scale = closing_[e.index()];
-  if (scale == kOpen) return;
   const std::size_t n = channels();
   for (std::size_t c = 0; c < n; ++c) {
     LinearValue straight;
@@ -181,10 +176,10 @@ Solution::Sent Solution::sent(ElementId e, std::size_t channel) const {
   const float value = radiosity_[e.index() * channels() + channel];
   const Moments& m = moments_[e.index() * channels() + channel];
   const LinearValue& scale = closing_[e.index()];
-  if (scale == kOpen) return {value, m};
+  if (!is_closed(e)) return {value, m.u, m.v};
   const Moments own = moments_of(scale, tree_.second_moments(e));
-  return {scale.value * value + scale.slope_u * m.u + scale.slope_v * m.v,
-          {scale.value * m.u + value * own.u, scale.value * m.v + value * own.v}};
+  return {scale.value * value + scale.slope_u * m.u + scale.slope_v * m.v, scale.value * m.u + value * own.u,
+          scale.value * m.v + value * own.v};
 }
 
 void Solution::pull(ElementId e) {
@@ -229,19 +224,16 @@ void Solution::pull_children(ElementId e) {
   for (std::size_t k = 0; k < tree_.child_count(e); ++k) {
     const ElementId child(tree_.first_child(e).index() + k);
     pull(child);
-    const auto share = static_cast<float>(tree_.area(child) / tree_.area(e));
-    const Vector d = tree_.centroid(child) - tree_.centroid(e);
-    const auto du = static_cast<float>(dot(d, tree_.axes(e).u));
-    const auto dv = static_cast<float>(dot(d, tree_.axes(e).v));
+    const PlaceInParent<float> place(tree_, child);
     for (std::size_t c = 0; c < n; ++c) {
-      const Sent part = sent(child, c);
-      radiosity[c] += share * part.value;
-      moments[c].u += share * (part.moments.u + part.value * du);
-      moments[c].v += share * (part.moments.v + part.value * dv);
+      Sent sum{radiosity[c], moments[c].u, moments[c].v};
+      sum.add_part(sent(child, c), place);
+      radiosity[c] = sum.mean;
+      moments[c] = {sum.u, sum.v};
     }
     const double m = mean_[child.index()];
-    mean += share * m;
-    square += share * (m * m + variance_[child.index()]);
+    mean += place.share * m;
+    square += place.share * (m * m + variance_[child.index()]);
   }
   mean_[e.index()] = static_cast<float>(mean);
   variance_[e.index()] = static_cast<float>(std::max(0.0, square - mean * mean));

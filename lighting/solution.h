@@ -9,40 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "lighting/linear_value.h"
 #include "lighting/scene.h"
 #include "mesh/element_tree.h"
 
 namespace clerestory::lighting {
-
-/// Irradiance that varies linearly over a planar node: value at the centroid [lux] and slopes along the side's axes [lux/m].
-struct LinearValue {
-  float value = 0.0F;
-  float slope_u = 0.0F;
-  float slope_v = 0.0F;
-
-  bool operator==(const LinearValue&) const = default;
-};
-
-/// First moments of a value over a planar node, per area.
-struct Moments {
-  float u = 0.0F;
-  float v = 0.0F;
-};
-
-/// The product of two linear functions over a node, as the line that fits it best but for third moments: as an operator it is
-/// symmetric under integration over the node.
-inline LinearValue product(const LinearValue& a, const LinearValue& b, const mesh::SecondMoments& area) {
-  const double covariance = area.uu * a.slope_u * b.slope_u +
-                            area.uv * (a.slope_u * b.slope_v + a.slope_v * b.slope_u) + area.vv * a.slope_v * b.slope_v;
-  return {a.value * b.value + static_cast<float>(covariance), a.value * b.slope_u + a.slope_u * b.value,
-          a.value * b.slope_v + a.slope_v * b.value};
-}
-
-/// First moments of a line over a node.
-inline Moments moments_of(const LinearValue& line, const mesh::SecondMoments& area) {
-  return {static_cast<float>(area.uu * line.slope_u + area.uv * line.slope_v),
-          static_cast<float>(area.uv * line.slope_u + area.vv * line.slope_v)};
-}
 
 /// The unknown: irradiance and radiosity of the elements, nodes × channels. Nodes above the open ones carry averages. A node is open
 /// when its children take part; nodes that take part and are not open are the elements of the solution.
@@ -102,11 +73,10 @@ class Solution {
   /// 1 at first. Takes effect with the next push_pull().
   void close(mesh::ElementId e, const LinearValue& scale) { closing_[e.index()] = scale; }
   [[nodiscard]] const LinearValue& closing(mesh::ElementId e) const { return closing_[e.index()]; }
-  /// What links take from a node: its radiosity and moments, and those of an element as they are scaled.
-  struct Sent {
-    float value = 0.0F;
-    Moments moments;
-  };
+  /// Whether the exchange of an element is scaled: all that surrounds it is wholly seen and fills its hemisphere.
+  [[nodiscard]] bool is_closed(mesh::ElementId e) const { return !(closing(e) == kUnscaled); }
+  /// What links take from a node: its radiosity, and that of an element as it is scaled.
+  using Sent = MeanAndMoments<float>;
   [[nodiscard]] Sent sent(mesh::ElementId e, std::size_t channel) const;
   /// Mean radiosity of a node [lm/m²]; valid after push_pull(). Above the elements: of what they send.
   [[nodiscard]] std::span<const float> radiosity(mesh::ElementId e) const {
@@ -151,14 +121,16 @@ class Solution {
   /// Radiosity at a point of an element, emission left out unless asked for [lm/m², channel].
   [[nodiscard]] float radiosity_at(mesh::ElementId e, const mesh::Point& point, std::size_t channel,
                                    bool with_emission) const;
-  /// The same of all channels by their weights, with emission [lm/m²].
-  [[nodiscard]] float luminous_radiosity_at(mesh::ElementId e, const mesh::Point& point) const;
+  /// The same of all channels by their weights [lm/m²].
+  [[nodiscard]] float luminous_radiosity_at(mesh::ElementId e, const mesh::Point& point, bool with_emission) const;
 
   /// Hands irradiance down to the elements and radiosity up to the roots. Returns the change of reflected flux that this made,
   /// as a share of all reflected flux.
   double push_pull();
 
  private:
+  static constexpr LinearValue kUnscaled{1.0F, 0.0F, 0.0F};
+
   void push(mesh::ElementId e, const mesh::ElementId* parent);
   /// Scales what came to an element by links.
   void apply_closing(mesh::ElementId e);

@@ -20,5 +20,6 @@ std::vector<float> luminance_weights(std::size_t bands);
 
 /// Sum of weight x value; a spectrum of one band stands for itself whatever the count of weights.
 float luminance(std::span<const float> spectrum, std::span<const float> weights);
+double luminance(std::span<const double> spectrum, std::span<const float> weights);
 
 }  // namespace clerestory::lighting

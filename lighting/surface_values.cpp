@@ -66,8 +66,7 @@ class SurfaceWriter {
     std::vector<double> weighted(lit.points.size(), 0.0);
     for (std::size_t i = 0; i < lit.points.size(); ++i) {
       add_point(lit.points[i], {});
-      for (std::size_t c = 0; c < channels; ++c)
-        weighted[i] += solution_.scene().channel_weights[c] * lit.lux[i * channels + c];
+      weighted[i] = luminance_of(std::span(lit.lux).subspan(i * channels, channels));
       sums_.back() = weighted[i];
       weights_.back() = 1.0;
     }
@@ -108,7 +107,7 @@ class SurfaceWriter {
       if (!light[i]) continue;
       const std::uint32_t point = limit_points_[i];
       lit[point] = &*light[i];
-      sums_[point] = luminance_of(*light[i]);
+      sums_[point] = luminance_of(light[i]->lux);
       weights_[point] = 1.0;
     }
     for (const CurvedCell& cell : curved_cells_) light_cell(cell, lit);
@@ -141,10 +140,8 @@ class SurfaceWriter {
     return static_cast<std::size_t>(std::find(roots.begin(), roots.end(), root) - roots.begin());
   }
 
-  [[nodiscard]] double luminance_of(const LocalPass::Light& light) const {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < solution_.channels(); ++c) sum += solution_.scene().channel_weights[c] * light.lux[c];
-    return sum;
+  [[nodiscard]] double luminance_of(std::span<const double> lux) const {
+    return luminance(lux, solution_.scene().channel_weights);
   }
 
   /// A cell of a curved part, whose light is that of its points.
@@ -162,7 +159,7 @@ class SurfaceWriter {
     for (const std::uint32_t point : result_.cells[cell.cell]) {
       const auto found = lit.find(point);
       if (found == lit.end()) return;
-      lux += luminance_of(*found->second) / 3.0;
+      lux += luminance_of(found->second->lux) / 3.0;
       error2 += found->second->error_lux * found->second->error_lux / 3.0;
       for (std::size_t c = 0; c < scene.channels; ++c) {
         radiosity += scene.channel_weights[c] * scene.side_reflectance(side)[c] *
@@ -278,10 +275,8 @@ class SurfaceWriter {
     }
     if (curved) curved_cells_.push_back({result_.cells.size(), element});
     const Point& middle = tree_.centroid(triangle);
-    float radiosity = own_radiosity(tree_.face_side(element));
-    for (std::size_t c = 0; c < solution_.channels(); ++c) {
-      radiosity += solution_.scene().channel_weights[c] * solution_.radiosity_at(element, middle, c, false);
-    }
+    const float radiosity =
+        own_radiosity(tree_.face_side(element)) + solution_.luminous_radiosity_at(element, middle, false);
     add_values(cell, element, middle, tree_.level(triangle));
     result_.error_lux.push_back(static_cast<float>(errors_.point_error(solution_, element)));
     result_.illuminance_lux.push_back(static_cast<float>(illuminance_at(element, middle)));

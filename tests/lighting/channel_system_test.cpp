@@ -22,7 +22,7 @@ TEST(ChannelSystem, ParentsComeBeforeTheirChildrenAndChildrenFillThem) {
     EXPECT_EQ(s.system.row_of(row.node), r);
     if (row.parent == ChannelSystem::kNone) continue;
     EXPECT_LT(row.parent, r);
-    shares[row.parent] += row.share;
+    shares[row.parent] += row.place.share;
   }
   for (std::size_t r = 0; r < shares.size(); ++r) EXPECT_NEAR(shares[r], s.system.rows[r].is_element ? 0.0 : 1.0, 1e-5);
 }

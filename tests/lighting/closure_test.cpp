@@ -52,7 +52,7 @@ TEST(Closure, LeavesElementsAloneThatSeeOutside) {
     test::shine(test::material(study, "upper"), 100.0);
     return study;
   }());
-  for (const ElementId e : s.solution.elements()) EXPECT_EQ(s.solution.sent(e, 0).value, s.solution.radiosity(e)[0]);
+  for (const ElementId e : s.solution.elements()) EXPECT_EQ(s.solution.sent(e, 0).mean, s.solution.radiosity(e)[0]);
 }
 
 }  // namespace

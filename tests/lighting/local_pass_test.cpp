@@ -159,7 +159,7 @@ TEST(LocalPass, ByLinksFollowsTheLightToTheFeetOfWalls) {
   for (double x = 0.04; x < 4.0; x += 0.12) {
     const Point at{x, 0.02, 0};
     const Point p = coarse.local(at);
-    ASSERT_TRUE(coarse.local_pass.is_closed(coarse.on_floor(p)));
+    ASSERT_TRUE(coarse.solution.is_closed(coarse.on_floor(p)));
     const double exact = fine.at(at);
     square += std::pow(coarse.at(at) / exact - 1.0, 2);
     square_solved += std::pow(coarse.solution.illuminance_at(coarse.on_floor(p), p) / exact - 1.0, 2);

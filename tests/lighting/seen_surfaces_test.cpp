@@ -123,8 +123,8 @@ TEST(SeenSurfaces, ARayBringsTheRadiosityOfThePartThatItEndsOnAtItsEnd) {
   const ElementId part = facing.solution.element_at(rays[0].node, rays[0].at);
   EXPECT_EQ(facing.solution.tree().parent(part), lower);
   EXPECT_DOUBLE_EQ(illuminance_by(facing.solution, rays),
-                   static_cast<double>(rays[0].factor) * facing.solution.luminous_radiosity_at(part, rays[0].at));
-  EXPECT_FLOAT_EQ(facing.solution.luminous_radiosity_at(part, rays[0].at),
+                   static_cast<double>(rays[0].factor) * facing.solution.luminous_radiosity_at(part, rays[0].at, true));
+  EXPECT_FLOAT_EQ(facing.solution.luminous_radiosity_at(part, rays[0].at, true),
                   facing.solution.radiosity_at(part, rays[0].at, 0, true));
 }
 
