@@ -18,7 +18,9 @@ target_compile_options(clerestory_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 sees overlaps in plain std::string sums (GCC bug 105651)
   $<$<BOOL:${CLERESTORY_WERROR}>:-Werror>)
 if(CLERESTORY_SANITIZE)
-  target_compile_options(clerestory_flags INTERFACE -fsanitize=${CLERESTORY_SANITIZE} -fno-omit-frame-pointer)
+  # What is found ends the program, so that a test cannot pass over it.
+  target_compile_options(clerestory_flags INTERFACE
+    -fsanitize=${CLERESTORY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(clerestory_flags INTERFACE -fsanitize=${CLERESTORY_SANITIZE})
 endif()
 
