@@ -2,6 +2,7 @@
 #include "lighting/importance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lighting/luminaire_light.h"
@@ -9,7 +10,6 @@
 namespace clerestory::lighting {
 
 using mesh::ElementId;
-using mesh::Point;
 
 namespace {
 
@@ -27,13 +27,6 @@ constexpr double kAreaShare = 0.01;  ///< so much importance lies on all surface
 /// A grid far darker or brighter than all together counts by no more than this.
 constexpr double kLeastWeightOfGrid = 0.2;
 constexpr double kMostWeightOfGrid = 5000.0;
-
-/// A deposit of a walk, with the node that it lies on.
-struct Deposit {
-  ElementId node;
-  Point at;
-  float weight = 0.0F;
-};
 
 /// What the light of the scene would give its surfaces if it spread evenly [lux].
 double even_lux(const Scene& scene, const mesh::ElementTree& tree) {
@@ -87,22 +80,102 @@ std::vector<double> weights_of_grids(const std::vector<double>& means_lux, doubl
   return weights;
 }
 
-/// Moves the deposits of crowded triangles down to their parts, which are made for that.
-void divide_crowded(Solution& solution, std::vector<Deposit>& deposits) {
-  std::vector<std::vector<std::uint32_t>> on(solution.tree().size());
-  for (std::uint32_t i = 0; i < deposits.size(); ++i) on[deposits[i].node.index()].push_back(i);
-  for (std::size_t n = 0; n < on.size(); ++n) {
-    const ElementId e(n);
-    if (on[n].size() < kTellApart || solution.tree().radius(e) < kSmallest) continue;
-    if (!solution.tree().has_children(e)) solution.divide(e);
-    on.resize(solution.tree().size());
-    for (const std::uint32_t i : on[n]) {
-      deposits[i].node = solution.tree().child_at(e, deposits[i].at);
-      on[deposits[i].node.index()].push_back(i);
+/// What walks have left on surfaces, by the triangles that it lies on.
+class Deposits {
+ public:
+  /// @param weights  of the grids
+  template <class GridOf>
+  Deposits(const mesh::ElementTree& tree, const std::vector<SensorWalk>& walks, const std::vector<double>& weights,
+           GridOf grid_of) {
+    std::size_t ends = 0;
+    for (const SensorWalk& walk : walks) ends += walk.ends.size();
+    std::vector<ElementId> nodes;
+    std::vector<std::size_t> first(tree.size() + 1, 0);
+    nodes.reserve(ends);
+    for (const SensorWalk& walk : walks) {
+      for (const SensorWalk::End& end : walk.ends) {
+        nodes.push_back(tree.find(end.side, end.region, end.at));
+        if (nodes.back().valid()) ++first[nodes.back().index() + 1];
+      }
     }
-    on[n].clear();
+    for (std::size_t n = 0; n < tree.size(); ++n) {
+      if (first[n + 1] > 0) stacks_.push_back({ElementId(n), first[n], first[n] + first[n + 1]});
+      first[n + 1] += first[n];
+    }
+    deposits_.resize(first.back());
+    auto node = nodes.begin();
+    for (const SensorWalk& walk : walks) {
+      const auto weight = static_cast<float>(weights[grid_of(walk)] / static_cast<double>(walks.size()));
+      for (const SensorWalk::End& end : walk.ends) {
+        if (node->valid()) deposits_[first[node->index()]++] = {tree.barycentric(*node, end.at), end.weight * weight};
+        ++node;
+      }
+    }
   }
-}
+
+  /// Moves the deposits of crowded triangles down to their parts, which are made for that.
+  void divide_crowded(Solution& solution) {
+    std::vector<Stack> done;
+    for (std::size_t i = 0; i < stacks_.size(); ++i) {
+      const Stack stack = stacks_[i];
+      if (stack.end - stack.begin < kTellApart || solution.tree().radius(stack.node) < kSmallest) {
+        done.push_back(stack);
+      } else {
+        if (!solution.tree().has_children(stack.node)) solution.divide(stack.node);
+        move_down(stack, solution.tree().first_child(stack.node));
+      }
+    }
+    stacks_ = std::move(done);
+  }
+
+  /// Weights and numbers of deposits of all nodes, those of their parts included.
+  void add_up(const mesh::ElementTree& tree, std::vector<double>& own, std::vector<double>& counts) const {
+    for (const Stack& stack : stacks_) {
+      counts[stack.node.index()] += static_cast<double>(stack.end - stack.begin);
+      for (std::size_t i = stack.begin; i < stack.end; ++i) own[stack.node.index()] += deposits_[i].weight;
+    }
+    for (std::size_t i = own.size(); i-- > 0;) {  // children come after their parents
+      const ElementId parent = tree.parent(ElementId(i));
+      if (!parent.valid()) continue;
+      own[parent.index()] += own[i];
+      counts[parent.index()] += counts[i];
+    }
+  }
+
+ private:
+  struct Deposit {
+    mesh::ElementTree::Barycentric at{};  ///< in the triangle that it lies on
+    float weight = 0.0F;
+  };
+  /// The deposits [begin, end) lie on a triangle.
+  struct Stack {
+    ElementId node;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  static constexpr std::size_t kParts = mesh::ElementTree::kPartsOfTriangle;
+
+  void move_down(const Stack& stack, ElementId first_child) {
+    std::array<std::vector<Deposit>, kParts>& parts = parts_;
+    for (std::vector<Deposit>& part : parts) part.clear();
+    for (std::size_t i = stack.begin; i < stack.end; ++i) {
+      Deposit deposit = deposits_[i];
+      const std::uint32_t part = mesh::ElementTree::step_down(deposit.at);
+      parts[part].push_back(deposit);
+    }
+    std::size_t next = stack.begin;
+    for (std::size_t k = 0; k < kParts; ++k) {
+      if (parts[k].empty()) continue;
+      std::copy(parts[k].begin(), parts[k].end(), deposits_.begin() + static_cast<std::ptrdiff_t>(next));
+      stacks_.push_back({ElementId(first_child.index() + k), next, next + parts[k].size()});
+      next += parts[k].size();
+    }
+  }
+
+  std::vector<Deposit> deposits_;
+  std::vector<Stack> stacks_;
+  std::array<std::vector<Deposit>, kParts> parts_;  ///< of a stack
+};
 
 }  // namespace
 
@@ -113,24 +186,12 @@ Importance::Importance(Solution& solution, const std::vector<SensorWalk>& walks,
   const auto grid_of = [&](const SensorWalk& walk) { return grids.empty() ? 0U : grids[walk.sensor]; };
   for (const SensorWalk& walk : walks) mean_lux_ += walk.lux / static_cast<double>(walkers);
   const std::vector<double> weights = weights_of_grids(means_of_grids(walks, grid_of), mean_lux_);
-  std::vector<Deposit> deposits;
-  for (const SensorWalk& walk : walks) {
-    const auto weight = static_cast<float>(weights[grid_of(walk)]);
-    for (const SensorWalk::End& end : walk.ends) {
-      const ElementId node = tree.find(end.side, end.region, end.at);
-      if (node.valid()) deposits.push_back({node, end.at, end.weight * weight});
-    }
-  }
+  Deposits deposits(tree, walks, weights, grid_of);
   mean_lux_ = std::max(mean_lux_, (walkers == 0 ? 1.0 : kDarkest) * even_lux(solution.scene(), tree));
-  divide_crowded(solution, deposits);
+  deposits.divide_crowded(solution);
   std::vector<double> own(tree.size(), 0.0);
   std::vector<double> counts(tree.size(), 0.0);
-  for (const Deposit& d : deposits) {
-    for (ElementId e = d.node; e.valid(); e = tree.parent(e)) {
-      own[e.index()] += d.weight / static_cast<double>(walkers);
-      counts[e.index()] += 1.0;
-    }
-  }
+  deposits.add_up(tree, own, counts);
   find_uneven(tree, own, counts);
   spread(tree, own, walkers == 0 ? 1.0 : kAreaShare);
 }

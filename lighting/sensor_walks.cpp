@@ -41,6 +41,7 @@ struct LastSurface {
 SensorWalk walk(const Scene& scene, const Point& position, const Vector& normal, std::uint32_t walks,
                 std::uint64_t seed) {
   SensorWalk walked;
+  walked.ends.reserve(static_cast<std::size_t>(walks) * kBounces);
   for (std::uint32_t i = 0; i < walks; ++i) {
     Point at = position;
     Vector facing = normal;

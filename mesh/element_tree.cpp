@@ -415,12 +415,6 @@ bool ElementTree::holds(ElementId e, const Point& point) const {
   return start_holding(e.value, point, kEdgeSlack).valid();
 }
 
-ElementId ElementTree::child_at(ElementId e, const Point& point) const {
-  assert(is_triangle(e) && has_children(e));
-  Barycentric at = barycentric(e, point);
-  return ElementId(node(e).first_child + step_down(at));
-}
-
 ElementId ElementTree::find(FaceSide side, const Point& point) const {
   const ElementId start = start_below(roots_of(side), point);
   return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;

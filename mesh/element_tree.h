@@ -82,8 +82,11 @@ class ElementTree {
 
   /// Whether a point of its plane lies in a node.
   [[nodiscard]] bool holds(ElementId e, const Point& point) const;
-  /// The child of a triangle that holds a point of it, or is nearest.
-  [[nodiscard]] ElementId child_at(ElementId e, const Point& point) const;
+  /// Barycentric coordinates of a point in a triangle, in the order of its corners.
+  using Barycentric = std::array<double, 3>;
+  [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
+  /// The number of a triangle's child that holds the point at these coordinates, or is nearest, and its coordinates there.
+  static std::uint32_t step_down(Barycentric& at);
   /// The node below a triangle, or itself, that holds a point of it, as deep as enter(ElementId) allows.
   template <class Enter>
   [[nodiscard]] ElementId descend(ElementId e, const Point& point, Enter enter) const {
@@ -129,7 +132,6 @@ class ElementTree {
   };
   static constexpr std::uint32_t kLeaf = 0x80000000U;
   using StartTriangle = std::array<std::uint32_t, 3>;
-  using Barycentric = std::array<double, 3>;
 
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
   struct Region;
@@ -147,9 +149,6 @@ class ElementTree {
   [[nodiscard]] std::array<double, 4> rectangle_of(const Node& node) const;
   /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
   [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
-  [[nodiscard]] Barycentric barycentric(ElementId triangle, const Point& point) const;
-  /// The number of the child that a place of a triangle belongs to; the place becomes that of the child.
-  static std::uint32_t step_down(Barycentric& at);
 
   std::vector<Node> nodes_;
   std::vector<ElementId> roots_;
