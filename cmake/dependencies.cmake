@@ -10,6 +10,7 @@ find_package(EXPAT 2.5 REQUIRED)
 find_package(assimp 5.2 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+find_package(PNG 1.6 REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(tomlplusplus CONFIG REQUIRED) # the target says TOML_HEADER_ONLY=0
 find_package(VTK 9.1 REQUIRED COMPONENTS # never without components: it would ask for Qt

@@ -2,6 +2,7 @@
 #include "io/map_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +13,8 @@ namespace {
 
 /// Samples along each side of a pixel, for smooth borders of the coloured area.
 constexpr int kSamples = 2;
+/// Rows of pixels that are sampled at once.
+constexpr int kBand = 48;
 /// How far outside of a quadrilateral a sample still belongs to it, in shares of its sides; closes the joints.
 constexpr double kSlack = 1e-6;
 
@@ -32,24 +35,42 @@ class BilinearQuad {
     to_v_ = {-u_.y / determinant, u_.x / determinant};
   }
 
-  /// The (u, v) of a place; nothing when it lies outside.
-  [[nodiscard]] std::optional<Pixel> place(Pixel p) const {
-    if (!parallelogram_) return place_by_steps(p);
-    const Pixel r{p.x - a_.x, p.y - a_.y};
-    return inside({r.x * to_u_.x + r.y * to_u_.y, r.x * to_v_.x + r.y * to_v_.y});
+  /// Calls sample(x, (u, v)) for the whole numbers x in [first, end) for which the place (x + 0.5, y) lies inside.
+  template <class Sample>
+  void in_row(double y, int first, int end, const Sample& sample) const {
+    if (!parallelogram_) {
+      for (int x = first; x < end; ++x) {
+        if (const auto at = place({x + 0.5, y})) sample(x, *at);
+      }
+      return;
+    }
+    const Pixel r{0.5 - a_.x, y - a_.y};
+    const Pixel start{r.x * to_u_.x + r.y * to_u_.y, r.x * to_v_.x + r.y * to_v_.y};
+    const Stretch u = within_unit(start.x, to_u_.x);
+    const Stretch v = within_unit(start.y, to_v_.x);
+    const int from = static_cast<int>(std::ceil(std::max({static_cast<double>(first), u.from, v.from})));
+    const int last = static_cast<int>(std::floor(std::min({static_cast<double>(end - 1), u.to, v.to})));
+    for (int x = from; x <= last; ++x) sample(x, Pixel{start.x + x * to_u_.x, start.y + x * to_v_.x});
   }
 
  private:
   static constexpr int kSteps = 5;
 
-  static std::optional<Pixel> inside(Pixel at) {
-    const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
-    if (!in_unit(at.x) || !in_unit(at.y)) return std::nullopt;
-    return Pixel{std::clamp(at.x, 0.0, 1.0), std::clamp(at.y, 0.0, 1.0)};
+  struct Stretch {
+    double from = 0.0;
+    double to = 0.0;
+  };
+
+  /// The x for which start + x · step lies between 0 and 1.
+  static Stretch within_unit(double start, double step) {
+    constexpr double kFar = 1e6;
+    if (step == 0.0) return start >= -kSlack && start <= 1.0 + kSlack ? Stretch{-kFar, kFar} : Stretch{kFar, -kFar};
+    const auto [from, to] = std::minmax({(-kSlack - start) / step, (1.0 + kSlack - start) / step});
+    return {std::clamp(from, -kFar, kFar), std::clamp(to, -kFar, kFar)};
   }
 
-  /// Newton's method.
-  [[nodiscard]] std::optional<Pixel> place_by_steps(Pixel p) const {
+  /// The (u, v) of a place by Newton's method; nothing when it lies outside.
+  [[nodiscard]] std::optional<Pixel> place(Pixel p) const {
     double u = 0.5;
     double v = 0.5;
     for (int step = 0; step < kSteps; ++step) {
@@ -62,7 +83,8 @@ class BilinearQuad {
       u += (rx * along_v.y - ry * along_v.x) / determinant;
       v += (along_u.x * ry - along_u.y * rx) / determinant;
     }
-    return inside({u, v});
+    const auto in_unit = [](double t) { return t >= -kSlack && t <= 1.0 + kSlack; };
+    return in_unit(u) && in_unit(v) ? std::optional(Pixel{u, v}) : std::nullopt;
   }
 
   Pixel a_;
@@ -74,57 +96,112 @@ class BilinearQuad {
   Pixel to_v_;
 };
 
-/// Values on a raster finer than the picture; kNothing where there are none.
-class FineField {
+/// A quadrilateral of the map on the raster of samples.
+struct FieldQuad {
+  std::array<Pixel, 4> corners;  ///< [samples]
+  std::array<double, 4> values;
+  double top = 0.0;
+  double bottom = 0.0;
+};
+
+std::vector<FieldQuad> field_quads(const MapMesh& mesh, const MapLayout& layout) {
+  std::vector<FieldQuad> quads;
+  quads.reserve(mesh.quads.size());
+  for (const auto& nodes : mesh.quads) {
+    FieldQuad quad;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Pixel at = layout.pixel(mesh.nodes[nodes[k]]);
+      quad.corners[k] = {kSamples * at.x, kSamples * at.y};
+      quad.values[k] = static_cast<double>(mesh.values[nodes[k]]);
+    }
+    const auto [top, bottom] = std::ranges::minmax(quad.corners, {}, &Pixel::y);
+    quad.top = top.y;
+    quad.bottom = bottom.y;
+    quads.push_back(quad);
+  }
+  return quads;
+}
+
+/// Values of a band of pixels on a raster finer than the picture; kNothing where there are none.
+class FieldBand {
  public:
-  FineField(int width, int height)
-      : width_(kSamples * width),
-        height_(kSamples * height),
-        values_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kNothing) {}
+  explicit FieldBand(int width) : width_(kSamples * width) {}
 
-  [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
+  /// Begins with the rows of pixels in [first, end).
+  void begin(int first, int end) {
+    first_ = kSamples * first;
+    end_ = kSamples * end;
+    values_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(end_ - first_), kNothing);
+  }
 
-  /// Corners in pixels of the picture.
-  void fill(std::array<Pixel, 4> corners, const std::array<double, 4>& values) {
-    for (Pixel& p : corners) p = {kSamples * p.x, kSamples * p.y};
-    const auto [left, right] = std::ranges::minmax(corners, {}, &Pixel::x);
-    const auto [top, bottom] = std::ranges::minmax(corners, {}, &Pixel::y);
-    const BilinearQuad quad(corners);
-    for (int y = first(top.y); y < std::min(height_, first(bottom.y) + 1); ++y) {
-      for (int x = first(left.x); x < std::min(width_, first(right.x) + 1); ++x) {
-        const auto place = quad.place({x + 0.5, y + 0.5});
-        if (!place) continue;
-        const double lower = values[0] + place->x * (values[1] - values[0]);
-        const double upper = values[3] + place->x * (values[2] - values[3]);
-        values_[index(x, y)] = static_cast<float>(lower + place->y * (upper - lower));
-      }
+  void fill(const FieldQuad& quad) {
+    const int top = std::max(first_, first(quad.top));
+    const int bottom = std::min(end_, first(quad.bottom) + 1);
+    if (top >= bottom) return;
+    const auto [left, right] = std::ranges::minmax(quad.corners, {}, &Pixel::x);
+    const BilinearQuad shape(quad.corners);
+    for (int y = top; y < bottom; ++y) {
+      float* const row = &values_[index(0, y)];
+      shape.in_row(y + 0.5, first(left.x), std::min(width_, first(right.x) + 1), [&](int x, Pixel at) {
+        const double lower = quad.values[0] + at.x * (quad.values[1] - quad.values[0]);
+        const double upper = quad.values[3] + at.x * (quad.values[2] - quad.values[3]);
+        row[x] = static_cast<float>(lower + at.y * (upper - lower));
+      });
     }
   }
+
+  [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
 
  private:
   static int first(double v) { return std::max(0, static_cast<int>(std::ceil(v - 0.5 - kSlack))); }
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y - first_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
 
   int width_;
-  int height_;
+  int first_ = 0;
+  int end_ = 0;
   std::vector<float> values_;
 };
 
+/// The colours of a scale, each so near to the next that no eye tells them apart.
+class Palette {
+ public:
+  Palette() {
+    for (std::size_t i = 0; i < kShades; ++i)
+      colours_[i] = map_colour(static_cast<double>(i) / static_cast<double>(kShades - 1));
+  }
+  [[nodiscard]] Rgb at(double position) const {
+    return colours_[static_cast<std::size_t>(position * static_cast<double>(kShades - 1) + 0.5)];
+  }
+
+ private:
+  static constexpr std::size_t kShades = 4097;  // the control points of map_colour() are among them
+
+  std::array<Rgb, kShades> colours_;
+};
+
+/// What a field is painted with.
+struct FieldPaint {
+  const MapScale& scale;
+  Palette palette;
+};
+
 /// Gives how much of the pixel is painted.
-double paint_pixel(Raster& raster, int x, int y, const FineField& field, const MapScale& scale, double within) {
+double paint_pixel(Raster& raster, int x, int y, const FieldBand& field, const FieldPaint& paint, double within) {
   int covered = 0;
   double sum = 0.0;
-  for (int s = 0; s < kSamples * kSamples; ++s) {
-    const float value = field.at(kSamples * x + s % kSamples, kSamples * y + s / kSamples);
-    if (std::isnan(value)) continue;
-    ++covered;
-    sum += static_cast<double>(value);
+  for (int j = kSamples * y; j < kSamples * (y + 1); ++j) {
+    for (int i = kSamples * x; i < kSamples * (x + 1); ++i) {
+      const float value = field.at(i, j);
+      if (std::isnan(value)) continue;
+      ++covered;
+      sum += static_cast<double>(value);
+    }
   }
   if (covered == 0) return 0.0;
   const double coverage = within * covered / (kSamples * kSamples);
-  raster.blend(x, y, map_colour(scale.position(sum / covered)), coverage);
+  raster.blend(x, y, paint.palette.at(paint.scale.position(sum / covered)), coverage);
   return coverage;
 }
 
@@ -146,25 +223,23 @@ Mask field_mask(const MapPlan& plan, const MapLayout& layout) {
 
 Mask paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, const MapScale& scale,
                  const Mask& within) {
-  FineField field(layout.width, layout.height);
-  for (const auto& quad : mesh.quads) {
-    std::array<Pixel, 4> corners{};
-    std::array<double, 4> values{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      corners[k] = layout.pixel(mesh.nodes[quad[k]]);
-      values[k] = static_cast<double>(mesh.values[quad[k]]);
-    }
-    field.fill(corners, values);
-  }
+  const std::vector<FieldQuad> quads = field_quads(mesh, layout);
+  const FieldPaint paint{scale, {}};
+  FieldBand field(layout.width);
   Mask painted(layout.width, layout.height);
-  for (int y = 0; y < layout.height; ++y) {
-    int x = 0;
-    for (const float coverage : within.row(y)) {
-      if (coverage > 0.0F) {
-        const double here = paint_pixel(raster, x, y, field, scale, static_cast<double>(coverage));
-        painted.add(x, y, static_cast<float>(here));
+  for (int first = 0; first < layout.height; first += kBand) {
+    const int end = std::min(layout.height, first + kBand);
+    field.begin(first, end);
+    for (const FieldQuad& quad : quads) field.fill(quad);
+    for (int y = first; y < end; ++y) {
+      int x = 0;
+      for (const float coverage : within.row(y)) {
+        if (coverage > 0.0F) {
+          const double here = paint_pixel(raster, x, y, field, paint, static_cast<double>(coverage));
+          painted.add(x, y, static_cast<float>(here));
+        }
+        ++x;
       }
-      ++x;
     }
   }
   return painted;

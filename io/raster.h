@@ -65,6 +65,8 @@ class Mask {
   void keep_inside(const Mask& other);
 
  private:
+  /// A row that is there from now on.
+  [[nodiscard]] std::vector<float>& touched(int y);
   void add_segment(Pixel a, Pixel b, double line_width);
   void add_scanline(std::span<const Pixel> loop, double y, std::vector<float>& row, std::vector<double>& crossings);
 

@@ -23,6 +23,7 @@ packages=(
   libifcplusplus-dev
   libnova-dev
   libosd-dev
+  libpng-dev
   libtbb-dev
   libtomlplusplus-dev
   libvtk9-dev
