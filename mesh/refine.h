@@ -22,7 +22,7 @@ struct RefineOptions {
 /// Constrained Delaunay refinement of a conforming triangulation [Ruppert 1995; Shewchuk 2002]: points are added on its
 /// constrained edges and inside until the options hold. Components keep their numbers, the graph's points theirs.
 /// @param mesh  a triangulation as triangulate_inside() gives it; every point belongs to a triangle
-/// @return nothing where max_vertices did not suffice, or where the mesh has edges of no length
+/// @return nothing where max_vertices did not suffice, where the mesh has edges of no length, or where rounding would turn a triangle over
 std::optional<PlanarMesh> refine(const PlanarMesh& mesh, const RefineOptions& options);
 
 }  // namespace clerestory::mesh

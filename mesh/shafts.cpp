@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "mesh/box_tree.h"
@@ -55,6 +56,78 @@ bool inside(std::span<const Point> loop, const Vector& normal, const Point& q) {
     if (dot(cross(edge, q - a), normal) < kTouch * norm(edge)) return false;
   }
   return true;
+}
+
+constexpr std::size_t kBins = 16;
+/// Nodes so deep are halved, so that no tree is deeper than the stack of visit().
+constexpr int kMostUneven = 32;
+
+double along(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+double half_area(const Box& box) {
+  const Vector s = box.size();
+  return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+Box box_of(const std::array<Point, 3>& corners) {
+  Box box;
+  for (const Point& c : corners) box.add(c);
+  return box;
+}
+
+/// A node's pieces parted by where their boxes' centres lie along an axis: in bins before `bin`, and from there on.
+struct Split {
+  int axis = 0;
+  double low = 0.0;
+  double bins_per_metre = 0.0;
+  std::size_t bin = 0;  ///< 0: there is none
+
+  [[nodiscard]] std::size_t bin_of(const Box& box) const {
+    return std::min(kBins - 1, static_cast<std::size_t>((along(box.centre(), axis) - low) * bins_per_metre));
+  }
+};
+
+/// The split with the least sum of area times number [Wald 2007].
+template <class Piece>
+Split best_split(std::span<const Piece> pieces) {
+  Box centres;
+  for (const Piece& piece : pieces) centres.add(box_of(piece.corners).centre());
+  Split best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = along(centres.low, axis);
+    const double size = along(centres.high, axis) - low;
+    if (!(size > kTouch)) continue;
+    Split split{axis, low, static_cast<double>(kBins) / size, 0};
+    std::array<Box, kBins> boxes;
+    std::array<double, kBins> counts{};
+    for (const Piece& piece : pieces) {
+      const Box box = box_of(piece.corners);
+      const std::size_t bin = split.bin_of(box);
+      boxes[bin].add(box);
+      counts[bin] += 1.0;
+    }
+    std::array<double, kBins> behind{};  ///< area times number of what lies in a bin and behind it
+    Box box;
+    double count = 0.0;
+    for (std::size_t bin = kBins; bin-- > 1;) {
+      box.add(boxes[bin]);
+      count += counts[bin];
+      behind[bin] = half_area(box) * count;
+    }
+    box = {};
+    count = 0.0;
+    for (split.bin = 1; split.bin < kBins; ++split.bin) {
+      box.add(boxes[split.bin - 1]);
+      count += counts[split.bin - 1];
+      const double cost = half_area(box) * count + behind[split.bin];
+      if (count > 0.0 && count < static_cast<double>(pieces.size()) && cost < least) {
+        least = cost;
+        best = split;
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -160,40 +233,36 @@ Shafts::Shafts(const Faces& faces, std::span<const std::uint8_t> passable) {
     for (const std::uint32_t i : face.loops[0]) loop.push_back(faces.shape.vertices[i]);
     if (is_convex(loop, face.frame.w)) convex_outline_[f] = std::move(loop);
   }
-  if (!pieces_.empty()) build(0, static_cast<std::uint32_t>(pieces_.size()));
+  if (!pieces_.empty()) build(0, static_cast<std::uint32_t>(pieces_.size()), 0);
 }
 
-void Shafts::build(std::uint32_t begin, std::uint32_t end) {
+void Shafts::build(std::uint32_t begin, std::uint32_t end, int depth) {
   const std::size_t id = nodes_.size();
   nodes_.emplace_back();
   Box box;
-  Box centres;
-  const auto centre = [](const Piece& p) {
-    Box b;
-    for (const Point& c : p.corners) b.add(c);
-    return b.centre();
-  };
-  for (std::uint32_t i = begin; i < end; ++i) {
-    for (const Point& c : pieces_[i].corners) box.add(c);
-    centres.add(centre(pieces_[i]));
-  }
+  for (std::uint32_t i = begin; i < end; ++i) box.add(box_of(pieces_[i].corners));
   nodes_[id].box = grown(box, kTouch);
   if (end - begin <= kLeafSize) {
     nodes_[id].begin = begin;
     nodes_[id].count = end - begin;
     return;
   }
-  const Vector size = centres.size();
-  const auto along = [&](const Piece& p) {
-    const Point c = centre(p);
-    return size.x >= size.y && size.x >= size.z ? c.x : (size.y >= size.z ? c.y : c.z);
-  };
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::stable_sort(pieces_.begin() + begin, pieces_.begin() + end,
-                   [&](const Piece& a, const Piece& b) { return along(a) < along(b); });
-  build(begin, middle);
+  const std::uint32_t middle = part(begin, end, depth);
+  build(begin, middle, depth + 1);
   nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end);
+  build(middle, end, depth + 1);
+}
+
+/// Brings the pieces of the first child to the front, and gives the number of the first of the second. Parts by the surface area heuristic:
+/// floors and walls come apart from what is small, whose nodes would all be as large otherwise.
+std::uint32_t Shafts::part(std::uint32_t begin, std::uint32_t end, int depth) {
+  const std::span<Piece> pieces(&pieces_[begin], end - begin);
+  const Split split = depth < kMostUneven ? best_split(std::span<const Piece>(pieces)) : Split{};
+  const auto first = pieces_.begin() + begin;
+  if (split.bin == 0) return begin + (end - begin) / 2;  // all in one place, or halves that end soon
+  const auto second = std::stable_partition(
+      first, pieces_.begin() + end, [&](const Piece& p) { return split.bin_of(box_of(p.corners)) < split.bin; });
+  return static_cast<std::uint32_t>(second - pieces_.begin());
 }
 
 bool Shafts::covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const {

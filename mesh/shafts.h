@@ -66,7 +66,8 @@ class Shafts {
   /// Calls visit(piece) for those that reach into a shaft, as long as it returns true.
   template <class Visit>
   void visit(const Shaft& shaft, const Visit& visit) const;
-  void build(std::uint32_t begin, std::uint32_t end);
+  void build(std::uint32_t begin, std::uint32_t end, int depth);
+  std::uint32_t part(std::uint32_t begin, std::uint32_t end, int depth);
   [[nodiscard]] bool covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const;
 
   bool proves_ = true;
