@@ -187,6 +187,13 @@ void add(const AreaMean& light, AreaMean& sum) {
   sum.error = std::hypot(sum.error, light.error);
 }
 
+/// About the light of one luminaire, straight from its middle [lux].
+double glance(const Scene& scene, std::size_t k, const Point& at, const Vector& normal) {
+  const Luminaire& luminaire = scene.luminaires[k];
+  const double lux = from_place(luminaire, luminaire.at, at, normal);
+  return lux > 0.0 ? lux * way({scene, luminaire, scene.flush_faces[k]}, at, luminaire.at, {}).passed : 0.0;
+}
+
 }  // namespace
 
 AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vector& normal) {
@@ -198,12 +205,20 @@ AreaMean illuminance_by(const Luminaire& luminaire, const Point& at, const Vecto
 
 double luminaire_glance(const Scene& scene, const Point& at, const Vector& normal) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
-    const Luminaire& luminaire = scene.luminaires[k];
-    const double lux = from_place(luminaire, luminaire.at, at, normal);
-    if (lux > 0.0) sum += lux * way({scene, luminaire, scene.flush_faces[k]}, at, luminaire.at, {}).passed;
-  }
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) sum += glance(scene, k, at, normal);
   return sum;
+}
+
+double luminaire_guess(const Scene& scene, const Point& at, const Vector& normal, double pick) {
+  constexpr std::size_t kPicked = 8;
+  const std::size_t count = scene.luminaires.size();
+  if (count <= kPicked) return luminaire_glance(scene, at, normal);
+  const double each = static_cast<double>(count) / kPicked;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kPicked; ++i)
+    sum += glance(scene, std::min(count - 1, static_cast<std::size_t>((static_cast<double>(i) + pick) * each)), at,
+                  normal);
+  return each * sum;
 }
 
 AreaMean luminaire_illuminance(const Scene& scene, std::span<const LuminaireView> views, const Point& at,

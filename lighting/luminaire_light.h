@@ -17,6 +17,9 @@ AreaMean illuminance_by(const Luminaire& luminaire, const mesh::Point& at, const
 
 /// About that by all luminaires of a scene at a point off its surfaces [lux]: straight from their middles.
 double luminaire_glance(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal);
+/// The same by a few of them, which are right on the average.
+/// @param pick  evenly spread over [0, 1): decides which
+double luminaire_guess(const Scene& scene, const mesh::Point& at, const mesh::Vector& normal, double pick);
 
 /// Illuminance by luminaires of a scene at a point off its surfaces [lux]: straight, through panes and openings, and by one reflection of any of
 /// them in each pane, as of its image behind it.

@@ -51,7 +51,7 @@ SensorWalk walk(const Scene& scene, const Point& position, const Vector& normal,
       const Vector d = cosine_direction(mesh::frame_around(facing), points.at(i, 0), points.at(i, 1));
       LastSurface seen{&scene.sky, {}, 0.0F, 0.0};
       follow(scene, at, d, 1.0F, PathRule{PathRule::Part::kAll, -1, false}, seen);
-      walked.lux += weight * (seen.sky_lux + luminaire_glance(scene, at, facing));
+      walked.lux += weight * (seen.sky_lux + luminaire_guess(scene, at, facing, points.at(i, 2)));
       walked.lux += weight * sun_illuminance(scene, at, facing);
       if (seen.weight <= 0.0F) break;
       weight *= seen.weight;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -55,6 +56,34 @@ TEST(IlluminanceBy, IsZeroBehindTheSurfaceBehindTheLampAndInIt) {
   EXPECT_EQ(illuminance_by(lamp, {1, 1, 0}, {0, 0, -1}).value, 0.0);
   EXPECT_EQ(illuminance_by(lamp, {1, 1, 4}, {0, 0, -1}).value, 0.0);
   EXPECT_EQ(illuminance_by(lamp, {0, 0, 3}, kUp).value, 0.0);
+}
+
+TEST(LuminaireGuess, IsTheGlanceOnTheAverage) {
+  Study study = test::study_of(support::box_room(12, 9, 3), 0.5, {1, 1, 1});
+  for (int i = 0; i < 23; ++i)
+    study.luminaires.push_back(lambertian_lamp({0.5 * i + 0.3, 1.0 + i % 7, 2.9}, {0, 0, -1}, 100.0 * (i + 1)));
+  const test::Stage stage(study);
+  const Point at = stage.local({4, 3, 0.8});
+  const double exact = luminaire_glance(stage.scene, at, kUp);
+  ASSERT_GT(exact, 0.0);
+  double mean = 0.0;
+  double least = exact;
+  constexpr int kPicks = 1000;
+  for (int i = 0; i < kPicks; ++i) {
+    const double guess = luminaire_guess(stage.scene, at, kUp, (i + 0.5) / kPicks);
+    mean += guess / kPicks;
+    least = std::min(least, guess);
+  }
+  EXPECT_NEAR(mean, exact, 1e-3 * exact);
+  EXPECT_LT(least, 0.99 * exact);
+}
+
+TEST(LuminaireGuess, IsTheGlanceWhereThereAreFew) {
+  Study study = test::study_of(support::box_room(12, 9, 3), 0.5, {1, 1, 1});
+  for (int i = 0; i < 8; ++i) study.luminaires.push_back(lambertian_lamp({1.3 * i + 0.5, 4, 2.9}, {0, 0, -1}, 1000.0));
+  const test::Stage stage(study);
+  const Point at = stage.local({4, 3, 0.8});
+  EXPECT_EQ(luminaire_guess(stage.scene, at, kUp, 0.3), luminaire_glance(stage.scene, at, kUp));
 }
 
 const Luminaire kLamp = isotropic_lamp({2, 0, 2}, 1000.0);
