@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "lighting/form_factor.h"
 
@@ -13,35 +15,105 @@ using mesh::Point;
 using mesh::Vector;
 using mesh::Visibility;
 
+namespace {
+
+/// Corners closer to the line through their neighbours than this share of its length are none.
+constexpr double kStraight = 1e-9;
+
+/// The corners of an outline in turn, without those that lie on a straight edge; none where it is more than one loop.
+std::vector<Point> corners_of(std::span<const mesh::OutlineEdge> outline) {
+  std::vector<Point> loop;
+  std::vector<std::uint8_t> taken(outline.size(), 0);
+  Point at = outline.front().from;
+  for (std::size_t n = 0; n < outline.size(); ++n) {
+    std::size_t next = 0;
+    while (next < outline.size() && (taken[next] != 0 || !(outline[next].from == at))) ++next;
+    if (next == outline.size()) return {};
+    taken[next] = 1;
+    loop.push_back(at);
+    at = outline[next].to;
+  }
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vector before = loop[i] - loop[(i + loop.size() - 1) % loop.size()];
+    const Vector behind = loop[(i + 1) % loop.size()] - loop[i];
+    if (norm(cross(before, behind)) > kStraight * norm(before) * norm(behind)) corners.push_back(loop[i]);
+  }
+  return corners;
+}
+
+bool is_convex(std::span<const Point> corners, const Vector& normal) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point& next = corners[(i + 1) % corners.size()];
+    if (dot(cross(next - corners[i], corners[(i + 2) % corners.size()] - next), normal) <= 0.0) return false;
+  }
+  return true;
+}
+
+std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId root) {
+  /// Outlines of more edges have more corners than a shaft's end can have, but for collinear ones.
+  constexpr std::size_t kMostEdges = 64;
+  const Vector& normal = tree.normal(root);
+  std::array<mesh::OutlineEdge, 3> scratch;
+  const auto outline = tree.outline(root, scratch);
+  if (outline.size() <= kMostEdges) {
+    const std::vector<Point> corners = corners_of(outline);
+    mesh::ShaftEnd whole{.corners = {}, .count = corners.size(), .normal = normal};
+    if (corners.size() >= 3 && corners.size() <= whole.corners.size() && is_convex(corners, normal)) {
+      std::copy(corners.begin(), corners.end(), whole.corners.begin());
+      return {whole};
+    }
+  }
+  std::vector<mesh::ShaftEnd> pieces;
+  for (const std::array<Point, 3>& t : tree.triangles(root))
+    pieces.push_back({.corners = {t[0], t[1], t[2]}, .count = t.size(), .normal = normal});
+  return pieces;
+}
+
+}  // namespace
+
 std::vector<Emitter> emitters(const Solution& solution) {
   std::vector<Emitter> found;
   const Scene& scene = solution.scene();
   for (const ElementId root : solution.tree().roots()) {
     const double exitance = luminance(scene.side_exitance(solution.tree().face_side(root)), scene.channel_weights);
-    if (exitance > 0.0) found.push_back({root, exitance, mesh::shaft_end(solution.tree(), root)});
+    if (exitance > 0.0)
+      found.push_back({root, exitance, mesh::shaft_end(solution.tree(), root), pieces_of(solution.tree(), root)});
   }
   return found;
 }
 
-EmitterView look(const Solution& solution, const Emitter& emitter, const Point& at, const Receiver& receiver) {
+double full_factor(const Solution& solution, const Emitter& emitter, const Point& at, const Receiver& receiver) {
   std::array<mesh::OutlineEdge, 3> scratch;
-  const double factor = receiver.form_factor(at, solution.tree().outline(emitter.root, scratch), emitter.end.normal);
-  if (factor <= kLeastFactor) return {factor, Visibility::kHidden};
-  const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};
-  return {factor, solution.scene().shafts->classify(own, emitter.end)};
+  return receiver.form_factor(at, solution.tree().outline(emitter.root, scratch), emitter.end.normal);
 }
 
-SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const EmitterView& view, const Point& at,
+SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double full, const Point& at,
                        const Receiver& receiver) {
-  if (view.visibility == Visibility::kHidden) return {};
-  if (view.visibility == Visibility::kVisible) return {view.factor, true};
+  if (full <= kLeastFactor) return {};
+  const mesh::Shafts& shafts = *solution.scene().shafts;
+  if (emitter.pieces.size() > 1) {
+    const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};
+    const Visibility whole = shafts.classify(own, emitter.end);
+    if (whole == Visibility::kHidden) return {};
+    if (whole == Visibility::kVisible) return {full, true};
+  }
   SeenFactor sum;
-  for (const std::array<Point, 3>& t : solution.tree().triangles(emitter.root)) {
-    const mesh::ShaftEnd triangle{.corners = {t[0], t[1], t[2]}, .count = t.size(), .normal = emitter.end.normal};
-    const SeenFactor seen = seen_factor(*solution.scene().shafts, at, receiver, triangle);
+  for (const mesh::ShaftEnd& piece : emitter.pieces) {
+    const SeenFactor seen = seen_factor(shafts, at, receiver, piece);
     sum = {sum.factor + seen.factor, sum.exact && seen.exact};
   }
   return sum;
+}
+
+std::vector<EmitterInSight> in_sight(const Solution& solution, std::span<const Emitter> emitters,
+                                     const mesh::ShaftEnd& from) {
+  std::vector<EmitterInSight> found;
+  for (const Emitter& emitter : emitters) {
+    const Visibility seen = solution.scene().shafts->classify(from, emitter.end);
+    if (seen != Visibility::kHidden) found.push_back({&emitter, seen == Visibility::kVisible});
+  }
+  return found;
 }
 
 EmitterSample sample(const Solution& solution, const Emitter& emitter, const Point& at, const Receiver& receiver,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lighting/receiver.h"
@@ -15,22 +16,31 @@ namespace clerestory::lighting {
 struct Emitter {
   mesh::ElementId root;
   double exitance = 0.0;  ///< luminance-weighted [lm/m²]
-  mesh::ShaftEnd end;
+  mesh::ShaftEnd end;     ///< holds all of it
+  /// Convex polygons that it consists of: its outline, where that is one, or else its triangles.
+  std::vector<mesh::ShaftEnd> pieces;
 };
 
 /// All regions of face sides that shine, in order of their roots.
 std::vector<Emitter> emitters(const Solution& solution);
 
-/// Form factor of a point to an emitter, and how much of it is proven to be seen; kHidden as well where the factor is next to nothing.
-struct EmitterView {
-  double factor = 0.0;
-  mesh::Visibility visibility = mesh::Visibility::kHidden;
-};
-EmitterView look(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const Receiver& receiver);
+/// Form factor of a point to an emitter if nothing stood before it.
+double full_factor(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const Receiver& receiver);
 
-/// What the point sees of an emitter, given the view of it: by clipping, where that proves neither that all of it is seen nor that none is.
-SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, const EmitterView& view, const mesh::Point& at,
+/// What the point sees of an emitter past what stands before it, by clipping; nothing where the full factor is next to nothing.
+/// @param full  as full_factor() gives it
+SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double full, const mesh::Point& at,
                        const Receiver& receiver);
+
+/// An emitter that may be seen, and whether all of it is proven to be.
+struct EmitterInSight {
+  const Emitter* emitter = nullptr;
+  bool wholly = false;
+};
+/// Those emitters that are not proven to be hidden from all points of a piece.
+/// @param emitters  kept by reference
+std::vector<EmitterInSight> in_sight(const Solution& solution, std::span<const Emitter> emitters,
+                                     const mesh::ShaftEnd& from);
 
 /// A ray from a point to one place on an emitter: the kernel of the form factor there [1/m²], and the share of it that arrives.
 struct EmitterSample {

@@ -260,8 +260,8 @@ class Gatherer {
   void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
                    SensorState& state, GroupSums& exact) const {
     const Emitter& emitter = rays_.emitters()[k];
-    const EmitterView view = look(solution_, emitter, at, receiver);
-    const SeenFactor seen = seen_factor(solution_, emitter, view, at, receiver);
+    const double full = full_factor(solution_, emitter, at, receiver);
+    const SeenFactor seen = seen_factor(solution_, emitter, full, at, receiver);
     if (seen.exact) {
       state.exact_lux += emitter.exitance * seen.factor;
       exact.add(scene().side_group[solution_.tree().face_side(emitter.root).index()], emitter.exitance * seen.factor);
@@ -270,7 +270,7 @@ class Gatherer {
     Part part;
     part.kind = Part::Kind::kEmitter;
     part.which = k;
-    part.full_lux = emitter.exitance * view.factor;
+    part.full_lux = emitter.exitance * full;
     part.most_lux = emitter.exitance * seen.factor;
     extend(part, std::max(8U, rays), sensor, at, receiver);
     state.parts.push_back(part);

@@ -7,6 +7,7 @@
 
 #include "lighting/mesh_grading.h"
 #include "lighting/parallel.h"
+#include "lighting/points_by_element.h"
 #include "mesh/contact_sectors.h"
 
 namespace clerestory::lighting {
@@ -17,7 +18,7 @@ using mesh::Point;
 
 namespace {
 
-constexpr std::size_t kBatch = 1024;  ///< points between two signs of life
+constexpr std::size_t kBatch = 64;  ///< groups of points between two signs of life
 
 /// Where the light at a point is computed: a hair inside of one of its cells.
 struct Place {
@@ -35,19 +36,24 @@ class Lighter {
       if (shown_.shown[s] != 0) add_side(mesh::face_side(s));
     }
     lit_.error_lux.resize(lit_.points.size());
-    for (std::size_t first = 0; first < lit_.points.size(); first += kBatch) {
-      const std::size_t end = std::min(first + kBatch, lit_.points.size());
-      parallel_for(
-          end - first, [&](std::size_t k) { light_point(first + k); }, 16);
-      progress.advance(static_cast<double>(end) / static_cast<double>(lit_.points.size()));
+    std::vector<ElementId> elements;
+    for (const Place& place : places_) elements.push_back(place.element);
+    const PointsByElement places(elements);
+    for (std::size_t first = 0; first < places.groups(); first += kBatch) {
+      const std::size_t end = std::min(first + kBatch, places.groups());
+      parallel_for(end - first, [&](std::size_t k) {
+        const LocalPass::Lamps lamps = local_.lamps_of(places.element(first + k));
+        for (const std::uint32_t i : places.points(first + k)) light_point(i, lamps);
+      });
+      progress.advance(static_cast<double>(end) / static_cast<double>(places.groups()));
     }
     for (double& l : lit_.lux) l = std::max(0.0, l);
     return std::move(lit_);
   }
 
  private:
-  void light_point(std::size_t i) {
-    const LocalPass::Light light = local_.at(places_[i].element, places_[i].inside);
+  void light_point(std::size_t i, const LocalPass::Lamps& lamps) {
+    const LocalPass::Light light = local_.at(places_[i].element, places_[i].inside, lamps);
     std::copy(light.lux.begin(), light.lux.end(), lit_.lux.begin() + static_cast<long>(i * solution_.channels()));
     lit_.error_lux[i] = light.error_lux;
   }

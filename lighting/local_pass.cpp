@@ -165,6 +165,7 @@ LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const S
     numbers_.push_back(numbers.point<2>(i));
     hemisphere_.push_back(cosine_direction({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, numbers_[i][0], numbers_[i][1]));
   }
+  for (const Emitter& emitter : emitters_) all_lamps_.push_back({&emitter, false});
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
   const std::vector<ElementId> elements = solution.elements();
@@ -198,9 +199,15 @@ std::uint32_t LocalPass::rays_each(std::size_t openings) const {
   return std::clamp(static_cast<std::uint32_t>(std::bit_floor(share)), std::min(kFewRays, rays_), rays_);
 }
 
-LocalPass::Light LocalPass::at(ElementId element, const Point& point) const {
+LocalPass::Lamps LocalPass::lamps_of(ElementId element) const {
+  mesh::ShaftEnd from = mesh::shaft_end(solution_.tree(), element);
+  for (Point& corner : from.corners) corner = corner + solution_.scene().rays->offset_m() * from.normal;
+  return in_sight(solution_, emitters_, from);
+}
+
+LocalPass::Light LocalPass::at(ElementId element, const Point& point, const Lamps& lamps) const {
   const Vector& normal = solution_.tree().normal(element);
-  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
+  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element), lamps};
   Light found = solution_.is_closed(element) ? by_links(element, receiver) : light(element, receiver);
   if (is_dark(element)) {
     const double error = errors_.point_error(solution_, element);
@@ -221,14 +228,14 @@ std::optional<LocalPass::Light> LocalPass::at_limit(ElementId element, const Poi
   if (solution_.is_closed(element)) return std::nullopt;
   const double above = std::max(0.0, dot(limit.at - point, limit.normal));
   const Vector lift = solution_.scene().rays->offset_m() * solution_.tree().normal(element);
-  return light(element, {point + above * limit.normal + lift, limit.normal, luminaires_});
+  return light(element, {point + above * limit.normal + lift, limit.normal, luminaires_, all_lamps_});
 }
 
 LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) const {
   const mesh::ElementTree& tree = solution_.tree();
   const Scene& scene = solution_.scene();
   Sum sum(solution_, errors_, by_luminaires(receiver, fine_) + sun_illuminance(scene, receiver.from, receiver.normal));
-  for (const Emitter& emitter : emitters_) from_emitter(emitter, receiver, sum);
+  for (const EmitterInSight& lamp : receiver.lamps) from_emitter(lamp, receiver, sum);
   std::vector<Missed> missed;
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
@@ -246,17 +253,19 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
   return std::move(sum).light();
 }
 
-std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point) const {
+std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point, const Lamps& lamps,
+                                          double least_lux) const {
   if (solution_.is_closed(element)) return std::nullopt;
   const Vector& normal = solution_.tree().normal(element);
-  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element)};
+  const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element), lamps};
   double lux = by_luminaires(receiver, kRoughMean);
   lux += sun_illuminance(solution_.scene(), receiver.from, normal);
-  for (const Emitter& emitter : emitters_) {
-    const EmitterView view = look(solution_, emitter, receiver.from, normal);
-    const SeenFactor seen = seen_factor(solution_, emitter, view, receiver.from, normal);
-    if (!seen.exact) return std::nullopt;
-    lux += emitter.exitance * seen.factor;
+  for (const EmitterInSight& lamp : lamps) {
+    const double full = full_factor(solution_, *lamp.emitter, receiver.from, normal);
+    if (lamp.emitter->exitance * full < least_lux) continue;
+    const SeenFactor found = seen(lamp, full, receiver);
+    if (!found.exact) return std::nullopt;
+    lux += lamp.emitter->exitance * found.factor;
   }
   return lux;
 }
@@ -313,13 +322,19 @@ std::span<const LuminaireView> LocalPass::luminaires(ElementId element) const {
   return luminaires_;
 }
 
+SeenFactor LocalPass::seen(const EmitterInSight& lamp, double full, const Receiver& receiver) const {
+  if (lamp.wholly) return {full, true};
+  return seen_factor(solution_, *lamp.emitter, full, receiver.from, receiver.normal);
+}
+
 /// Where it is neither hidden nor wholly seen, the share that is seen, each place weighed by what it gives.
-void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const {
-  const EmitterView view = look(solution_, emitter, receiver.from, receiver.normal);
-  const SeenFactor seen = seen_factor(solution_, emitter, view, receiver.from, receiver.normal);
+void LocalPass::from_emitter(const EmitterInSight& lamp, const Receiver& receiver, Sum& sum) const {
+  const Emitter& emitter = *lamp.emitter;
+  const double full = full_factor(solution_, emitter, receiver.from, receiver.normal);
+  const SeenFactor found = seen(lamp, full, receiver);
   const auto exitance = solution_.scene().side_exitance(solution_.tree().face_side(emitter.root));
-  if (seen.exact) {
-    sum.add(exitance, seen.factor);
+  if (found.exact) {
+    sum.add(exitance, found.factor);
     return;
   }
   std::vector<EmitterSample> samples(rays_);
@@ -332,10 +347,9 @@ void LocalPass::from_emitter(const Emitter& emitter, const Receiver& receiver, S
   sum.begin();
   for (const EmitterSample& s : samples) {
     sum.begin_ray(1.0, false);
-    for (std::size_t c = 0; c < exitance.size(); ++c)
-      sum.meet(c, view.factor * exitance[c] * s.kernel * s.passed / all);
+    for (std::size_t c = 0; c < exitance.size(); ++c) sum.meet(c, full * exitance[c] * s.kernel * s.passed / all);
   }
-  sum.end(emitter.exitance * seen.factor);
+  sum.end(emitter.exitance * found.factor);
 }
 
 /// Returns whether any ray has met light.

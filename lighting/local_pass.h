@@ -36,9 +36,14 @@ class LocalPass {
   LocalPass(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
             std::span<const NodeDirect> nodes, double accuracy, double dark_lux);
 
+  /// Surfaces that shine and that points of an element may see.
+  using Lamps = std::vector<EmitterInSight>;
+  [[nodiscard]] Lamps lamps_of(mesh::ElementId element) const;
+
   /// Light at a point of an element. Where nothing reaches the element, its points stay dark unless they see more than its error and than
   /// the accuracy lets pass: at the edge of what a solid covers that stops a hair short, light falls into the gap.
-  [[nodiscard]] Light at(mesh::ElementId element, const mesh::Point& point) const;
+  /// @param lamps  of the element: for many points of it, found out once
+  [[nodiscard]] Light at(mesh::ElementId element, const mesh::Point& point, const Lamps& lamps) const;
   /// The same at the point of a limit surface that a point of an element of a curved part stands for, with that surface's normal: shading is
   /// smooth over the triangles that rays see. Where that point is above its triangle rays start from it, else from the triangle. Nothing where the
   /// element is closed: links know its own plane alone.
@@ -47,7 +52,10 @@ class LocalPass {
                                               const mesh::LimitPoint& limit) const;
   /// The part of it that comes from surfaces that shine and from point sources, luminance-weighted [lux]: it is exact at every point. Nothing where
   /// the element is closed, and where it takes rays, as panes or a crowd stand before a surface that shines.
-  [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point) const;
+  /// @param lamps      of the element
+  /// @param least_lux  surfaces that could give less are left out
+  [[nodiscard]] std::optional<double> by_lamps(mesh::ElementId element, const mesh::Point& point, const Lamps& lamps,
+                                               double least_lux) const;
   [[nodiscard]] bool has_lamps() const { return !emitters_.empty() || !solution_.scene().luminaires.empty(); }
 
  private:
@@ -55,6 +63,7 @@ class LocalPass {
     mesh::Point from;
     mesh::Vector normal;
     std::span<const LuminaireView> luminaires;  ///< those that it may see
+    std::span<const EmitterInSight> lamps;      ///< the same of surfaces that shine
   };
   class Sum;
   /// An opening that all of so many rays have missed.
@@ -71,7 +80,8 @@ class LocalPass {
   [[nodiscard]] std::uint32_t rays_each(std::size_t openings) const;
   [[nodiscard]] double by_luminaires(const Receiver& receiver, double tolerance) const;
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
-  void from_emitter(const Emitter& emitter, const Receiver& receiver, Sum& sum) const;
+  [[nodiscard]] SeenFactor seen(const EmitterInSight& lamp, double full, const Receiver& receiver) const;
+  void from_emitter(const EmitterInSight& lamp, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] bool through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
                                      Sum& sum) const;
   void add_missed(std::span<const Missed> missed, const Receiver& receiver, Sum& sum) const;
@@ -87,6 +97,7 @@ class LocalPass {
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
   std::vector<Solution::Sent> sent_;    ///< [nodes × channels] where elements are closed
   std::vector<Emitter> emitters_;
+  Lamps all_lamps_;                        ///< of which nothing is known
   std::vector<LuminaireView> luminaires_;  ///< all, of which nothing is known
   std::vector<mesh::ShaftEnd> opening_ends_;
   /// Points of the unit square, and the directions of the hemisphere about z that belong to them, by ray. They are the same at all points:

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lighting/parallel.h"
+#include "lighting/points_by_element.h"
 #include "mesh/contact_sectors.h"
 #include "mesh/element_tree.h"
 
@@ -25,6 +26,8 @@ namespace {
 /// How far inside of a cell light is asked for [m], and at most which share of the way to its middle.
 constexpr double kOffEdges = 1e-4;
 constexpr double kOffEdgesShare = 0.1;
+/// Lamps that could give less than this share of the tolerance are left out: their shadows do not show.
+constexpr double kSmallLamp = 0.25;
 /// Inside of a triangle the error of a quadratic function is up to so much larger than on its edges: in the middle of an equilateral one.
 constexpr double kInside = 4.0 / 3.0;
 /// Triangles are asked to be a little smaller than the estimate says: derivatives are not quite the same all over one.
@@ -55,8 +58,9 @@ struct Judged {
 
 class Judge {
  public:
-  Judge(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh, bool closely)
-      : solution_(solution), local_(local), mesh_(mesh), closely_(closely), sectors_(solution.scene().faces) {}
+  Judge(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh,
+        const GradingOptions& options)
+      : solution_(solution), local_(local), mesh_(mesh), options_(options), sectors_(solution.scene().faces) {}
 
   void add_side(FaceSide side, bool jumps) {
     const std::size_t first = mesh_.starts[side.face.index()];
@@ -64,17 +68,25 @@ class Judge {
   }
 
   void light() {
+    std::vector<mesh::ElementId> elements(probes_.size());
     parallel_for(
-        probes_.size(), [&](std::size_t i) { light(probes_[i]); }, 16);
+        probes_.size(),
+        [&](std::size_t i) { elements[i] = solution_.element_at(probes_[i].side, probes_[i].region, probes_[i].at); },
+        64);
+    const PointsByElement places(elements);
+    parallel_for(places.groups(), [&](std::size_t g) {
+      const LocalPass::Lamps lamps = local_.lamps_of(places.element(g));
+      for (const std::uint32_t i : places.points(g)) light(probes_[i], places.element(g), lamps);
+    });
   }
 
   /// The longest edge of each triangle with which interpolation keeps to the tolerance [m].
-  [[nodiscard]] GradedSizes sizes(const GradingOptions& options) const {
+  [[nodiscard]] GradedSizes sizes() const {
     GradedSizes result{std::vector<double>(mesh_.triangles.size(), kUnbounded), true};
     for (const Judged& judged : judged_) {
       double& size = result.longest_m[judged.triangle];
       const std::array<Point, 3> c = corners(judged.triangle);
-      const double allowed = options.tolerance * std::max(options.darkest_lux, light_at(judged));
+      const double allowed = options_.tolerance * std::max(options_.darkest_lux, light_at(judged));
       double longest = 0.0;
       const auto bound = [&](double missed, double length) {
         result.kept = result.kept && missed <= allowed;
@@ -112,17 +124,17 @@ class Judge {
       if (fresh) probes_.push_back({side, t.region, inside_from(at, middle)});
       judged.probes[k] = entry->second;
     }
-    if (closely_) {
+    if (options_.closely) {
       judged.middle = probes_.size();
       probes_.push_back({side, t.region, middle});
     }
     judged_.push_back(judged);
   }
 
-  void light(Probe& probe) const {
-    const mesh::ElementId element = solution_.element_at(probe.side, probe.region, probe.at);
-    if (!element.valid()) return;
-    const std::optional<double> lux = local_.by_lamps(element, probe.at);
+  void light(Probe& probe, mesh::ElementId element, const LocalPass::Lamps& lamps) const {
+    const double all_lux = std::max(options_.darkest_lux, solution_.illuminance_at(element, probe.at));
+    const std::optional<double> lux =
+        local_.by_lamps(element, probe.at, lamps, kSmallLamp * options_.tolerance * all_lux);
     probe.known = lux.has_value();
     probe.lux = lux.value_or(0.0);
   }
@@ -158,7 +170,7 @@ class Judge {
   const Solution& solution_;
   const LocalPass& local_;
   const mesh::Triangulation& mesh_;
-  bool closely_;
+  GradingOptions options_;
   std::vector<Probe> probes_;
   std::vector<Judged> judged_;
   mesh::ContactSectors sectors_;
@@ -192,13 +204,13 @@ Point inside_from(const Point& edge, const Point& middle) {
 GradedSizes graded_sizes(const Solution& solution, const LocalPass& local, const mesh::Triangulation& mesh,
                          std::span<const std::uint8_t> shown, std::span<const std::uint8_t> jumps,
                          const GradingOptions& options) {
-  Judge judge(solution, local, mesh, options.closely);
+  Judge judge(solution, local, mesh, options);
   for (std::size_t s = 0; s < shown.size(); ++s) {
     const FaceSide side = mesh::face_side(s);
     if (shown[s] != 0) judge.add_side(side, jumps[side.face.index()] != 0);
   }
   judge.light();
-  GradedSizes result = judge.sizes(options);
+  GradedSizes result = judge.sizes();
   std::vector<double> areas;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<Point, 3> c = judge.corners(t);

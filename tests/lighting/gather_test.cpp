@@ -333,7 +333,7 @@ TEST(Gather, AnOpeningOutOfSightTakesOneRayAReplicate) {
 }
 
 TEST(Gather, BehindACrowdRaysThatAllMissLeaveAnErrorBehindASheetNone) {
-  for (const std::size_t strips : {std::size_t{1}, std::size_t{100}}) {
+  for (const std::size_t strips : {std::size_t{1}, std::size_t{200}}) {
     mesh::Model model = support::box_room(6, 4, 3);
     for (std::size_t i = 0; i < strips; ++i) {
       const auto y = [&](std::size_t k) { return 4.0 * static_cast<double>(k) / static_cast<double>(strips); };

@@ -48,7 +48,7 @@ struct Lit : test::Stage {
   /// Light on the floor's front.
   [[nodiscard]] LocalPass::Light light(const Point& model_point) const {
     const Point p = local(model_point);
-    return local_pass.at(on_floor(p), p);
+    return local_pass.at(on_floor(p), p, local_pass.lamps_of(on_floor(p)));
   }
   [[nodiscard]] double at(const Point& model_point) const { return light(model_point).lux.at(0); }
   [[nodiscard]] ShownMesh shown(std::size_t most_elements) const {
