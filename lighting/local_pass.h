@@ -35,6 +35,8 @@ class LocalPass {
   /// @param dark_lux  darker points need not be better than points of so much light
   LocalPass(const Solution& solution, const Arrivals& arrivals, const SolutionErrors& errors,
             std::span<const NodeDirect> nodes, double accuracy, double dark_lux);
+  LocalPass(const LocalPass&) = delete;
+  LocalPass& operator=(const LocalPass&) = delete;
 
   /// Surfaces that shine and that points of an element may see.
   using Lamps = std::vector<EmitterInSight>;
