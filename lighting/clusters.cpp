@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace clerestory::lighting {
 
@@ -11,6 +12,9 @@ using mesh::ElementId;
 using mesh::Point;
 
 namespace {
+
+/// Normals whose mean is shorter have no direction in common.
+constexpr double kOneWay = 0.01;
 
 Box box_of(const mesh::ElementTree& tree, ElementId e) {
   std::array<Point, 4> corners;
@@ -81,13 +85,19 @@ void Clusters::build(const mesh::ElementTree& tree, std::uint32_t begin, std::ui
   node.begin = begin;
   node.count = end - begin;
   Box centres;
+  mesh::Vector facing;
   for (std::uint32_t i = begin; i < end; ++i) {
     node.box.add(box_of(tree, order_[i]));
     node.area += tree.area(order_[i]);
     centres.add(tree.centroid(order_[i]));
+    facing = facing + tree.area(order_[i]) * tree.normal(order_[i]);
   }
   node.centre = node.box.centre();
   node.radius = 0.5 * node.box.diagonal();
+  node.axis = norm(facing) > kOneWay * node.area ? normalized(facing) : tree.normal(order_[begin]);
+  for (std::uint32_t i = begin; i < end; ++i)
+    node.half_angle =
+        std::max(node.half_angle, std::acos(std::clamp(dot(node.axis, tree.normal(order_[i])), -1.0, 1.0)));
   nodes_[id] = node;
   if (node.count == 1) return;
 
@@ -116,6 +126,24 @@ std::uint32_t Clusters::part(const mesh::ElementTree& tree, std::uint32_t begin,
   };
   std::stable_sort(first, last, [&](ElementId a, ElementId b) { return along(a) < along(b); });
   return begin + (end - begin) / 2;
+}
+
+bool Clusters::is_turned_away(const mesh::ElementTree& tree, std::uint32_t c, ElementId element) const {
+  const Node& node = nodes_[c];
+  const mesh::Vector& normal = tree.normal(element);
+  const Point& at = tree.centroid(element);
+  const Point farthest_in_front{normal.x > 0.0 ? node.box.high.x : node.box.low.x,
+                                normal.y > 0.0 ? node.box.high.y : node.box.low.y,
+                                normal.z > 0.0 ? node.box.high.z : node.box.low.z};
+  if (dot(farthest_in_front - at, normal) <= 0.0) return true;
+  // From any point of the one to any of the other, directions differ from that between the centres by `spread` at most.
+  const mesh::Vector to = at - node.centre;
+  const double distance = norm(to);
+  const double reach = node.radius + tree.radius(element);
+  if (reach >= distance) return false;
+  const double spread = std::asin(reach / distance);
+  const double between = std::acos(std::clamp(dot(node.axis, to) / distance, -1.0, 1.0));
+  return between - node.half_angle - spread >= 0.5 * std::numbers::pi;
 }
 
 ClusterPoint Clusters::sample(const mesh::ElementTree& tree, std::uint32_t c, double a, double b) const {

@@ -47,6 +47,9 @@ class Clusters {
   /// Half the diagonal of the box [m].
   [[nodiscard]] double radius(std::uint32_t c) const { return nodes_[c].radius; }
   [[nodiscard]] const mesh::Box& box(std::uint32_t c) const { return nodes_[c].box; }
+  /// Whether no point of the cluster's surfaces can face one of a flat element's, by the cluster's box and the cone that its normals
+  /// lie in [Shirman, Abi-Ezzi 1993]; a cluster that is not may be turned away all the same.
+  [[nodiscard]] bool is_turned_away(const mesh::ElementTree& tree, std::uint32_t c, mesh::ElementId element) const;
 
   /// A place on the cluster's surfaces, uniform by area, from (a, b) in the unit square.
   [[nodiscard]] ClusterPoint sample(const mesh::ElementTree& tree, std::uint32_t c, double a, double b) const;
@@ -64,6 +67,8 @@ class Clusters {
     mesh::Box box;
     mesh::Point centre;
     double radius = 0.0;
+    mesh::Vector axis;        ///< of the cone of the normals
+    double half_angle = 0.0;  ///< between the axis and the farthest normal [rad]
     double area = 0.0;
     std::uint32_t begin = 0;
     std::uint32_t count = 0;

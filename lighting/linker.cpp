@@ -38,6 +38,11 @@ constexpr std::size_t kExactPairs = 512;
 constexpr double kDiffer = 3.81;
 constexpr double kInFront = 1e-7;  ///< a corner this far in front of a plane counts as in front [m]
 
+/// Streams of random numbers, beside the one of links between elements.
+constexpr std::uint64_t kJudging = 1;  ///< of clusters, by whose points they are judged
+constexpr std::uint64_t kRough = 2;    ///< of elements that cannot matter
+constexpr std::uint64_t kKeeping = 3;  ///< of clusters that are kept
+
 /// How a convex hull lies to a plane.
 struct Lie {
   bool any_in_front = false;
@@ -180,17 +185,27 @@ class Aimer {
   /// Of the hemisphere, that a piece must fill for so many directions to hit it, out of kTries.
   static constexpr double kLeastShare = 0.04;
   static constexpr std::uint32_t kTries = 64;
+  /// Numbers of the points that stand in for those which lie behind.
+  static constexpr std::uint32_t kSpare = 1U << 16U;
 
+  /// In front of the place only: where a piece reaches behind it, what lies there would leave places without a ray that tells anything.
   void by_area(const Point& from, const Vector& normal, const SobolPoints& points, std::uint32_t n,
                std::span<Aim> aims) const {
+    std::uint32_t spare = kSpare + kTries * n;
     for (Aim& aim : aims) {
-      const Point q = tree_.sample(at_, points.at(n, 0), points.at(n, 1));
-      const Vector to = q - from;
-      const double distance2 = dot(to, to);
-      const double cosines = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, tree_.normal(at_)));
-      aim = {q, cosines / (distance2 * distance2)};
+      aim = aim_at(tree_.sample(at_, points.at(n, 0), points.at(n, 1)), from, normal);
+      const std::uint32_t end = spare + kTries;
+      for (; aim.kernel <= 0.0 && spare < end; ++spare)
+        aim = aim_at(tree_.sample(at_, points.at(spare, 0), points.at(spare, 1)), from, normal);
       ++n;
     }
+  }
+
+  [[nodiscard]] Aim aim_at(const Point& q, const Point& from, const Vector& normal) const {
+    const Vector to = q - from;
+    const double distance2 = dot(to, to);
+    const double cosines = std::max(0.0, dot(to, normal)) * std::max(0.0, -dot(to, tree_.normal(at_)));
+    return {q, cosines / (distance2 * distance2)};
   }
 
   /// Nothing where too few directions hit the piece.
@@ -373,7 +388,12 @@ LinkDecision Linker::decide(const LinkCandidate& candidate) const {
 }
 
 std::optional<Link> Linker::link(const LinkCandidate& candidate) const {
-  return candidate.source.is_cluster() ? link_cluster(candidate) : link_element(candidate);
+  return candidate.source.is_cluster() ? link_cluster(candidate, kJudging) : link_element(candidate);
+}
+
+std::optional<Link> Linker::remeasured(const Link& link) const {
+  if (!link.source.is_cluster()) return link;
+  return link_cluster({link.receiver, link.source, link.visibility, link.mutual}, kKeeping);
 }
 
 Visibility Linker::prove(ElementId receiver, ElementId source) const {
@@ -424,7 +444,7 @@ std::optional<Link> Linker::link_roughly(const LinkCandidate& candidate) const {
       point_form_factor(tree.centroid(from), tree.normal(from), tree.outline(at, scratch), tree.normal(at));
   if (factor <= kLeastFactor) return std::nullopt;
   // The same rays both ways.
-  const SobolPoints points(mesh::hash(mesh::hash(tree.key(from), tree.key(at)), seed_ + 2));
+  const SobolPoints points(mesh::hash(mesh::hash(tree.key(from), tree.key(at)), seed_ + kRough));
   const double lift = scene.rays->offset_m();
   std::array<mesh::Segment, kFewRays> segments;
   std::array<float, kFewRays> passed{};
@@ -534,13 +554,14 @@ double Linker::unseen_peak(ElementId receiver, double exchange, double source_ar
   return uneven / importance_.of(tree, receiver) * exchange / std::min(source_area, tree.area(receiver));
 }
 
-std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
+std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate, std::uint64_t stream) const {
   const Scene& scene = solution_.scene();
   const mesh::ElementTree& tree = solution_.tree();
   const ElementId r = candidate.receiver;
   const std::uint32_t c = candidate.source.cluster();
+  if (clusters_.is_turned_away(tree, c, r)) return std::nullopt;
   const Vector& normal = tree.normal(r);
-  const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), c), seed_ + 1));
+  const SobolPoints points(mesh::hash(mesh::hash(tree.key(r), c), seed_ + stream));
   const double lift = scene.rays->offset_m();
   const bool rough = most_light(r, candidate.source) <= tolerance(r);
   const std::uint32_t rays = rough ? kFewRays : kClusterRays;
@@ -564,14 +585,14 @@ std::optional<Link> Linker::link_cluster(const LinkCandidate& candidate) const {
   scene.rays->transmittance(std::span(segments).first(facing), std::span(passed).first(facing));
   double sum = 0.0;
   double square = 0.0;
-  double unoccluded = 0.0;
+  // Where no point faces the receiver some still may, up to what the cluster could give were all of it turned to it.
+  double unoccluded = facing > 0 || rough ? 0.0 : std::min(1.0, most_light(r, candidate.source) / mean);
   for (std::size_t i = 0; i < facing; ++i) {
     const double f = kernel[i] * passed[i];
     sum += f / rays;
     square += f * f / rays;
     unoccluded = std::max(unoccluded, kernel[i]);
   }
-  if (facing == 0 && !rough) return std::nullopt;
   Link link;
   link.receiver = r;
   link.source = candidate.source;

@@ -45,6 +45,10 @@ class Linker {
   [[nodiscard]] LinkDecision settle(const LinkCandidate& candidate) const;
   /// The link of a pair, good enough or not; none where the pair does not see each other.
   [[nodiscard]] std::optional<Link> link(const LinkCandidate& candidate) const;
+  /// The link of a pair that holds as it is to stay; none where it gives nothing. Links of elements are given back. A link of a cluster is measured at
+  /// points of its own: those that found little light when it was judged also told of a small error, so that links which hold would
+  /// give too little on the whole [Kirk, Arvo 1991].
+  [[nodiscard]] std::optional<Link> remeasured(const Link& link) const;
   /// What can be proven of two elements without rays.
   [[nodiscard]] mesh::Visibility prove(mesh::ElementId receiver, mesh::ElementId source) const;
   /// How a mutual link is refined at ends that other links have opened, whose parts would share more than `most` of what its lines
@@ -68,7 +72,8 @@ class Linker {
   [[nodiscard]] double most_light(mesh::ElementId receiver, LinkSource source) const;
   [[nodiscard]] bool cannot_matter(mesh::ElementId receiver, mesh::ElementId source) const;
   [[nodiscard]] std::optional<Link> link_roughly(const LinkCandidate& candidate) const;
-  [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate) const;
+  /// @param stream  numbers of links with other streams are independent
+  [[nodiscard]] std::optional<Link> link_cluster(const LinkCandidate& candidate, std::uint64_t stream) const;
   /// Where importance lies on a part of the receiver, that part may get as much as a receiver of the source's own size would: a
   /// factor's error, for receivers whose places do not tell.
   [[nodiscard]] double unseen_peak(mesh::ElementId receiver, double exchange, double source_area) const;

@@ -89,6 +89,7 @@ class Solver {
         if (start.empty() && !last) continue;
       }
       refine(linker, std::move(start), {pass > 0 ? kEndOfPass[pass - 1] : 0.0, kEndOfPass[pass]});
+      remeasure_clusters(linker);
       last = last || progress_.should_finish();
       if (last) hand_down(linker);
       sort_links(!last);
@@ -267,6 +268,17 @@ class Solver {
       LinkCandidate pair = candidates[i];
       pair.visibility = d.link.visibility;
       split(pair, d.kind, next);
+    }
+  }
+
+  /// Measures the links to clusters that refinement has left, by other points than those which told it to.
+  void remeasure_clusters(const Linker& linker) {
+    std::vector<std::optional<Link>> measured(links_.size());
+    parallel_for(
+        links_.size(), [&](std::size_t i) { measured[i] = linker.remeasured(links_[i]); }, 64);
+    links_.clear();
+    for (const std::optional<Link>& link : measured) {
+      if (link) links_.push_back(*link);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -120,6 +121,49 @@ TEST(Clusters, SamplesAreUniformByArea) {
     for (const auto& [root, count] : counts) {
       EXPECT_NEAR(static_cast<double>(count) / kCount, tree.area(mesh::ElementId(root)) / clusters.area(c), 1e-3);
     }
+  }
+}
+
+TEST(Clusters, TurnedAwayIsNoneOfWhichAnyPointFacesTheElement) {
+  mesh::Model model = support::box_room(4, 5, 3);
+  support::add_globe(model, {2, 2.5, 1.5}, 0.4, 16, 8, {"globe", "globe"});
+  Study study = test::study_of(std::move(model), 0.5, {2, 2, 0.5});
+  test::shine(test::material(study, "globe"), 100.0);
+  const test::Stage stage(study);
+  const mesh::ElementTree& tree = stage.solution.tree();
+  const Clusters clusters(stage.scene, tree);
+  const SobolPoints points(8);
+  int turned = 0;
+  int bundles = 0;
+  for (const mesh::ElementId e : tree.roots()) {
+    for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+      if (!clusters.is_turned_away(tree, c, e)) continue;
+      ++turned;
+      bundles += clusters.is_leaf(c) ? 0 : 1;
+      for (std::uint32_t i = 0; i < 16; ++i) {
+        const ClusterPoint q = clusters.sample(tree, c, points.at(i, 0), points.at(i, 1));
+        const mesh::Vector to = q.at - tree.sample(e, points.at(i, 2), points.at(i, 3));
+        EXPECT_LE(std::min(dot(to, tree.normal(e)), -dot(to, q.normal)), 1e-9) << c << " " << e.value;
+      }
+    }
+  }
+  // Of the globe's facets' backs, which see nothing but each other, and of fronts.
+  EXPECT_GT(turned, 10'000);
+  EXPECT_GT(bundles, 1'000);
+}
+
+TEST(Clusters, OneThatReachesInFrontOfAnElementIsNotTurnedAway) {
+  mesh::Model model;
+  support::add_quad(model, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {"floor", "floor"});
+  support::add_quad(model, {0, 0, 3}, {0, 1, 3}, {1, 1, 3}, {1, 0, 3}, {"above", "above"});
+  support::add_quad(model, {0, 0, -3}, {0, 1, -3}, {1, 1, -3}, {1, 0, -3}, {"below", "below"});
+  const test::Stage stage(test::study_of(std::move(model), 0.5, {0.5, 0.5, 0.5}));
+  const mesh::ElementTree& tree = stage.solution.tree();
+  const Clusters clusters(stage.scene, tree);
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    if (!clusters.is_leaf(c)) continue;
+    const bool faces = clusters.root(c) == stage.root("above");
+    EXPECT_EQ(clusters.is_turned_away(tree, c, stage.root("floor")), !faces) << c;
   }
 }
 

@@ -109,6 +109,25 @@ void add_prism(Model& model, std::span<const Point> outline, double low, double 
   }
 }
 
+void add_globe(Model& model, const Point& centre, double radius_m, int meridians, int parallels, const Names& names) {
+  const auto at = [&](int meridian, int parallel) {
+    const double polar = std::numbers::pi * parallel / parallels;
+    const double azimuth = 2.0 * std::numbers::pi * (meridian % meridians) / meridians;
+    return centre + radius_m * mesh::Vector{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                                            std::cos(polar)};
+  };
+  for (int p = 0; p < parallels; ++p) {
+    for (int m = 0; m < meridians; ++m) {
+      if (p == 0)
+        add_triangle(model, at(0, 0), at(m, 1), at(m + 1, 1), names);
+      else if (p + 1 == parallels)
+        add_triangle(model, at(0, parallels), at(m + 1, p), at(m, p), names);
+      else
+        add_quad(model, at(m, p), at(m, p + 1), at(m + 1, p + 1), at(m + 1, p), names);
+    }
+  }
+}
+
 void append(Model& model, const Model& other) {
   for (std::size_t p = 0; p < other.polygon_count(); ++p) {
     const Names names{other.material_names[other.polygon_material[p].index()],
