@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/energy.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -188,6 +190,16 @@ EnergyBalance energy_balance(Solution& solution, const Transport& transport, std
   balance.residual = in > 0.0 ? (in - balance.absorbed_lm - balance.left_lm) / in : 0.0;
   balance.reciprocity = reciprocity(solution, transport.arrivals);
   return balance;
+}
+
+std::optional<std::string> imbalance_note(const EnergyBalance& balance, double accuracy) {
+  constexpr double kTold = 2.0;  // times the accuracy: below is the noise of surfaces that hardly matter to the sensors
+  const double share = std::abs(balance.residual);
+  if (share <= kTold * accuracy) return std::nullopt;
+  return fmt::format(
+      "surfaces take {:.1f} % {} light than there is, which the errors stated do not account for: values may be wrong "
+      "by as much; ask for a finer accuracy and compare",
+      100.0 * share, balance.residual > 0.0 ? "less" : "more");
 }
 
 }  // namespace clerestory::lighting

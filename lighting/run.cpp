@@ -211,6 +211,8 @@ void conclude(const Study& study, const Scene& scene, const LimitedProgress& pro
     results.notices.push_back("refinement ended with " + std::to_string(results.counts.elements) +
                               " elements: mesh.max_elements allows no more");
   results.converged = progress.converged();
+  if (const auto note = imbalance_note(results.energy, study.accuracy.target); note && results.converged)
+    results.notices.push_back(*note);
   results.accuracy_met = results.converged;
   for (const GridResult& grid : results.grids) {
     results.accuracy_reached = std::max(results.accuracy_reached, grid.metrics.accuracy_reached);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "tests/lighting/stages.h"
 #include "tests/support/lamps.h"
@@ -98,6 +99,17 @@ TEST(EnergyBalance, DarknessIsInBalance) {
   EXPECT_EQ(e.emitted_lm, 0.0);
   EXPECT_EQ(e.left_lm, 0.0);
   EXPECT_EQ(e.residual, 0.0);
+}
+
+TEST(EnergyBalance, IsToldOfWhereItIsOffByMoreThanTheAccuracyAccountsFor) {
+  EnergyBalance balance;
+  balance.residual = 0.039;
+  EXPECT_FALSE(imbalance_note(balance, 0.02));
+  balance.residual = 0.084;
+  EXPECT_NE(imbalance_note(balance, 0.02).value().find("8.4 % less"), std::string::npos);
+  balance.residual = -0.084;
+  EXPECT_NE(imbalance_note(balance, 0.02).value().find("8.4 % more"), std::string::npos);
+  EXPECT_FALSE(imbalance_note(balance, 0.05));
 }
 
 }  // namespace
