@@ -107,9 +107,10 @@ SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double 
 }
 
 std::vector<EmitterInSight> in_sight(const Solution& solution, std::span<const Emitter> emitters,
-                                     const mesh::ShaftEnd& from) {
+                                     std::span<const std::uint32_t> asked, const mesh::ShaftEnd& from) {
   std::vector<EmitterInSight> found;
-  for (const Emitter& emitter : emitters) {
+  for (const std::uint32_t i : asked) {
+    const Emitter& emitter = emitters[i];
     const Visibility seen = solution.scene().shafts->classify(from, emitter.end);
     if (seen != Visibility::kHidden) found.push_back({&emitter, seen == Visibility::kVisible});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,10 +38,11 @@ struct EmitterInSight {
   const Emitter* emitter = nullptr;
   bool wholly = false;
 };
-/// Those emitters that are not proven to be hidden from all points of a piece.
+/// Those of some emitters that are not proven to be hidden from all points of a piece.
 /// @param emitters  kept by reference
+/// @param asked     numbers of those that are asked for
 std::vector<EmitterInSight> in_sight(const Solution& solution, std::span<const Emitter> emitters,
-                                     const mesh::ShaftEnd& from);
+                                     std::span<const std::uint32_t> asked, const mesh::ShaftEnd& from);
 
 /// A ray from a point to one place on an emitter: the kernel of the form factor there [1/m²], and the share of it that arrives.
 struct EmitterSample {

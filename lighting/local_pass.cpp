@@ -37,6 +37,8 @@ constexpr double kMostRays = 2.56;
 constexpr double kGoal = 2.0;
 /// Light that rays may have missed is looked into where it would be more than this share of the accuracy.
 constexpr double kNeglected = 0.3;
+/// Facets of a body that give less of its light than this share of the accuracy are seen or not as their middles are.
+constexpr double kSmallFacet = 0.25;
 /// What luminaires that are near give is known to this share of the accuracy.
 constexpr double kLampShare = 0.125;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
@@ -154,6 +156,7 @@ LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const S
       nodes_(nodes),
       node_at_(solution.tree().size(), kNone),
       emitters_(emitters(solution)),
+      bodies_(solution, emitters_),
       luminaires_(any_luminaires(solution.scene())),
       rays_(ray_count(kSourceRays / accuracy, 8.0)),
       most_rays_(ray_count(kMostRays / accuracy, 64.0)),
@@ -165,7 +168,8 @@ LocalPass::LocalPass(const Solution& solution, const Arrivals& arrivals, const S
     numbers_.push_back(numbers.point<2>(i));
     hemisphere_.push_back(cosine_direction({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, numbers_[i][0], numbers_[i][1]));
   }
-  for (const Emitter& emitter : emitters_) all_lamps_.push_back({&emitter, false});
+  for (const std::uint32_t i : bodies_.others()) all_lamps_.single.push_back({&emitters_[i], false});
+  for (const LampBody& body : bodies_.bodies()) all_lamps_.bodies.push_back({&body, false});
   for (const Opening& opening : solution.scene().openings) opening_ends_.push_back(shaft_end(opening));
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) node_at_[nodes_[i].node.index()] = i;
   const std::vector<ElementId> elements = solution.elements();
@@ -202,7 +206,12 @@ std::uint32_t LocalPass::rays_each(std::size_t openings) const {
 LocalPass::Lamps LocalPass::lamps_of(ElementId element) const {
   mesh::ShaftEnd from = mesh::shaft_end(solution_.tree(), element);
   for (Point& corner : from.corners) corner = corner + solution_.scene().rays->offset_m() * from.normal;
-  return in_sight(solution_, emitters_, from);
+  Lamps lamps{in_sight(solution_, emitters_, bodies_.others(), from), {}};
+  for (const LampBody& body : bodies_.bodies()) {
+    const BodySight sight = bodies_.sight(solution_, body, from);
+    if (sight != BodySight::kHidden) lamps.bodies.push_back({&body, sight == BodySight::kClear});
+  }
+  return lamps;
 }
 
 LocalPass::Light LocalPass::at(ElementId element, const Point& point, const Lamps& lamps) const {
@@ -235,7 +244,8 @@ LocalPass::Light LocalPass::light(ElementId element, const Receiver& receiver) c
   const mesh::ElementTree& tree = solution_.tree();
   const Scene& scene = solution_.scene();
   Sum sum(solution_, errors_, by_luminaires(receiver, fine_) + sun_illuminance(scene, receiver.from, receiver.normal));
-  for (const EmitterInSight& lamp : receiver.lamps) from_emitter(lamp, receiver, sum);
+  for (const EmitterInSight& lamp : receiver.lamps.single) from_emitter(lamp, receiver, sum);
+  for (const BodyInSight& lamp : receiver.lamps.bodies) from_body(lamp, receiver, sum);
   std::vector<Missed> missed;
   for (ElementId up = element; up.valid(); up = tree.parent(up)) {
     const std::uint32_t i = node_at_[up.index()];
@@ -260,14 +270,21 @@ std::optional<double> LocalPass::by_lamps(ElementId element, const Point& point,
   const Receiver receiver{point + solution_.scene().rays->offset_m() * normal, normal, luminaires(element), lamps};
   double lux = by_luminaires(receiver, kRoughMean);
   lux += sun_illuminance(solution_.scene(), receiver.from, normal);
-  for (const EmitterInSight& lamp : lamps) {
+  bool exact = true;
+  const auto clip = [&](const EmitterInSight& lamp) {
     const double full = full_factor(solution_, *lamp.emitter, receiver.from, normal);
-    if (lamp.emitter->exitance * full < least_lux) continue;
+    if (!exact || lamp.emitter->exitance * full < least_lux) return;
     const SeenFactor found = seen(lamp, full, receiver);
-    if (!found.exact) return std::nullopt;
+    exact = found.exact;
     lux += lamp.emitter->exitance * found.factor;
+  };
+  for (const EmitterInSight& lamp : lamps.single) clip(lamp);
+  const auto add = [&](const Emitter& emitter, double factor) { lux += emitter.exitance * factor; };
+  for (const BodyInSight& lamp : lamps.bodies) {
+    const BodyLight full = full_light(*lamp.body, receiver);
+    if (exact && full.lux >= least_lux) see_body(lamp, full, receiver, add, clip);
   }
-  return lux;
+  return exact ? std::optional(lux) : std::nullopt;
 }
 
 /// Links of such an element are proven to see all of their sources, which fill its hemisphere.
@@ -350,6 +367,66 @@ void LocalPass::from_emitter(const EmitterInSight& lamp, const Receiver& receive
     for (std::size_t c = 0; c < exitance.size(); ++c) sum.meet(c, full * exitance[c] * s.kernel * s.passed / all);
   }
   sum.end(emitter.exitance * found.factor);
+}
+
+LocalPass::BodyLight LocalPass::full_light(const LampBody& body, const Receiver& receiver) const {
+  BodyLight light;
+  for (const BodyFacet& facet : body.facets) {
+    const double factor = full_factor(solution_, emitters_, facet, receiver.from, receiver.normal);
+    if (factor <= 0.0) continue;
+    light.facets.push_back({&facet, factor});
+    light.lux += emitters_[facet.emitter].exitance * factor;
+  }
+  return light;
+}
+
+/// Calls add(emitter, factor) for what is seen of facets, or clip(emitter in sight) for large ones that something may stand before: small ones
+/// are seen or not as their middles are. Returns the standard error of that [lux].
+template <class Add, class Clip>
+double LocalPass::see_body(const BodyInSight& lamp, const BodyLight& full, const Receiver& receiver, const Add& add,
+                           const Clip& clip) const {
+  const mesh::ShaftEnd eye{.corners = {receiver.from}, .count = 1, .normal = {}};
+  const BodySight sight = lamp.clear ? BodySight::kClear : bodies_.sight(solution_, *lamp.body, eye);
+  if (sight == BodySight::kHidden) return 0.0;
+  if (sight == BodySight::kClear) {
+    for (const FacetLight& light : full.facets) add(emitters_[light.facet->emitter], light.factor);
+    return 0.0;
+  }
+  std::vector<mesh::Segment> segments;
+  std::vector<FacetLight> small;
+  for (const FacetLight& light : full.facets) {
+    const Emitter& emitter = emitters_[light.facet->emitter];
+    if (emitter.exitance * light.factor > kSmallFacet * accuracy_ * full.lux) {
+      clip(EmitterInSight{&emitter, false});
+      continue;
+    }
+    small.push_back(light);
+    segments.push_back({receiver.from, light.facet->centre + solution_.scene().rays->offset_m() * light.facet->normal});
+  }
+  std::vector<float> passed(segments.size());
+  solution_.scene().rays->transmittance(segments, passed);
+  double all = 0.0;
+  double found = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    const Emitter& emitter = emitters_[small[i].facet->emitter];
+    const double lux = emitter.exitance * small[i].factor;
+    all += lux;
+    found += lux * passed[i];
+    squares += lux * lux;
+    if (passed[i] > 0.0F) add(emitter, small[i].factor * passed[i]);
+  }
+  // Each is seen with the share of all as its probability.
+  const double share = all > 0.0 ? found / all : 0.0;
+  return std::sqrt(std::max(0.0, share * (1.0 - share)) * squares);
+}
+
+void LocalPass::from_body(const BodyInSight& lamp, const Receiver& receiver, Sum& sum) const {
+  const auto add = [&](const Emitter& emitter, double factor) {
+    sum.add(solution_.scene().side_exitance(solution_.tree().face_side(emitter.root)), factor);
+  };
+  sum.doubt(see_body(lamp, full_light(*lamp.body, receiver), receiver, add,
+                     [&](const EmitterInSight& facet) { from_emitter(facet, receiver, sum); }));
 }
 
 /// Returns whether any ray has met light.

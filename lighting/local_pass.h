@@ -11,6 +11,7 @@
 #include "lighting/arrivals.h"
 #include "lighting/direct_light.h"
 #include "lighting/emitters.h"
+#include "lighting/lamp_bodies.h"
 #include "lighting/sampling.h"
 #include "lighting/solution.h"
 #include "lighting/solution_errors.h"
@@ -38,8 +39,16 @@ class LocalPass {
   LocalPass(const LocalPass&) = delete;
   LocalPass& operator=(const LocalPass&) = delete;
 
+  /// A body that may be seen, and whether what faces a point is proven to be.
+  struct BodyInSight {
+    const LampBody* body = nullptr;
+    bool clear = false;
+  };
   /// Surfaces that shine and that points of an element may see.
-  using Lamps = std::vector<EmitterInSight>;
+  struct Lamps {
+    std::vector<EmitterInSight> single;
+    std::vector<BodyInSight> bodies;
+  };
   [[nodiscard]] Lamps lamps_of(mesh::ElementId element) const;
 
   /// Light at a point of an element. Where nothing reaches the element, its points stay dark unless they see more than its error and than
@@ -65,7 +74,7 @@ class LocalPass {
     mesh::Point from;
     mesh::Vector normal;
     std::span<const LuminaireView> luminaires;  ///< those that it may see
-    std::span<const EmitterInSight> lamps;      ///< the same of surfaces that shine
+    const Lamps& lamps;                         ///< the same of surfaces that shine
   };
   class Sum;
   /// An opening that all of so many rays have missed.
@@ -84,6 +93,20 @@ class LocalPass {
   [[nodiscard]] std::span<const LuminaireView> luminaires(mesh::ElementId element) const;
   [[nodiscard]] SeenFactor seen(const EmitterInSight& lamp, double full, const Receiver& receiver) const;
   void from_emitter(const EmitterInSight& lamp, const Receiver& receiver, Sum& sum) const;
+  /// What a point would get from a body's facets if nothing stood before them.
+  struct FacetLight {
+    const BodyFacet* facet = nullptr;
+    double factor = 0.0;
+  };
+  struct BodyLight {
+    std::vector<FacetLight> facets;  ///< those that give anything
+    double lux = 0.0;                ///< luminance-weighted, of all of them
+  };
+  [[nodiscard]] BodyLight full_light(const LampBody& body, const Receiver& receiver) const;
+  template <class Add, class Clip>
+  double see_body(const BodyInSight& lamp, const BodyLight& full, const Receiver& receiver, const Add& add,
+                  const Clip& clip) const;
+  void from_body(const BodyInSight& lamp, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] bool through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
                                      Sum& sum) const;
   void add_missed(std::span<const Missed> missed, const Receiver& receiver, Sum& sum) const;
@@ -99,6 +122,7 @@ class LocalPass {
   std::vector<std::uint32_t> node_at_;  ///< [nodes of the tree] index into nodes_, kNone for others
   std::vector<Solution::Sent> sent_;    ///< [nodes × channels] where elements are closed
   std::vector<Emitter> emitters_;
+  LampBodies bodies_;
   Lamps all_lamps_;                        ///< of which nothing is known
   std::vector<LuminaireView> luminaires_;  ///< all, of which nothing is known
   std::vector<mesh::ShaftEnd> opening_ends_;

@@ -205,8 +205,16 @@ struct Shafts::Shaft {
       least = std::min(least, s);
       most = std::max(most, s);
     }
-    return most <= kTouch || least >= -kTouch;
+    return most <= kTouch || least >= -kTouch || !interiors_overlap(box, box_of(piece.corners));
   }
+};
+
+/// What lies in a box, by boxes.
+struct Shafts::InBox {
+  Box box;
+
+  [[nodiscard]] bool misses(const Box& other) const { return !interiors_overlap(box, other); }
+  [[nodiscard]] bool misses(const Piece& piece) const { return misses(box_of(piece.corners)); }
 };
 
 ShaftEnd shaft_end(const ElementTree& tree, ElementId e) {
@@ -282,8 +290,8 @@ bool Shafts::covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) co
   return true;
 }
 
-template <class Visit>
-void Shafts::visit(const Shaft& shaft, const Visit& visit) const {
+template <class Region, class Visit>
+void Shafts::visit(const Region& region, const Visit& visit) const {
   if (nodes_.empty()) return;
   std::array<std::uint32_t, 64> stack;
   std::size_t depth = 0;
@@ -291,14 +299,14 @@ void Shafts::visit(const Shaft& shaft, const Visit& visit) const {
   while (depth > 0) {
     const std::uint32_t id = stack[--depth];
     const Node& node = nodes_[id];
-    if (shaft.misses(node.box)) continue;
+    if (region.misses(node.box)) continue;
     if (node.count == 0) {
       stack[depth++] = node.right;
       stack[depth++] = id + 1;
       continue;
     }
     for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i) {
-      if (!shaft.misses(pieces_[i]) && !visit(pieces_[i])) return;
+      if (!region.misses(pieces_[i]) && !visit(pieces_[i])) return;
     }
   }
 }
@@ -312,6 +320,26 @@ Visibility Shafts::classify(const ShaftEnd& a, const ShaftEnd& b) const {
     return seen == Visibility::kPartial && ++tries < kCoverTries;
   });
   return seen;
+}
+
+template <class Region>
+bool Shafts::holds_only(const Region& region, std::span<const std::uint32_t> group, std::uint32_t own) const {
+  if (!proves_) return false;
+  bool only = true;
+  visit(region, [&](const Piece& piece) {
+    only = group[piece.face] == own;
+    return only;
+  });
+  return only;
+}
+
+bool Shafts::is_clear(const ShaftEnd& a, const ShaftEnd& b, std::span<const std::uint32_t> group,
+                      std::uint32_t own) const {
+  return holds_only(Shaft(a, b), group, own);
+}
+
+bool Shafts::is_clear(const Box& box, std::span<const std::uint32_t> group, std::uint32_t own) const {
+  return holds_only(InBox{grown(box, kTouch)}, group, own);
 }
 
 Shafts::Blockers Shafts::blockers(const ShaftEnd& a, const ShaftEnd& b, std::size_t most) const {

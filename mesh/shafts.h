@@ -34,6 +34,12 @@ class Shafts {
   Shafts(const Faces& faces, std::span<const std::uint8_t> passable);
 
   [[nodiscard]] Visibility classify(const ShaftEnd& a, const ShaftEnd& b) const;
+  /// Whether it is proven that no faces but those of one group reach into the hull of two ends.
+  /// @param group  [faces] the group of each
+  [[nodiscard]] bool is_clear(const ShaftEnd& a, const ShaftEnd& b, std::span<const std::uint32_t> group,
+                              std::uint32_t own) const;
+  /// The same of a box, by the boxes of the faces' triangles.
+  [[nodiscard]] bool is_clear(const Box& box, std::span<const std::uint32_t> group, std::uint32_t own) const;
   /// From here on all is partial: to tell what proofs are worth.
   void prove_nothing() { proves_ = false; }
 
@@ -62,10 +68,13 @@ class Shafts {
     bool passable = false;
   };
   struct Shaft;
+  struct InBox;
 
-  /// Calls visit(piece) for those that reach into a shaft, as long as it returns true.
-  template <class Visit>
-  void visit(const Shaft& shaft, const Visit& visit) const;
+  /// Calls visit(piece) for those that reach into a region, as long as it returns true.
+  template <class Region, class Visit>
+  void visit(const Region& region, const Visit& visit) const;
+  template <class Region>
+  [[nodiscard]] bool holds_only(const Region& region, std::span<const std::uint32_t> group, std::uint32_t own) const;
   void build(std::uint32_t begin, std::uint32_t end, int depth);
   std::uint32_t part(std::uint32_t begin, std::uint32_t end, int depth);
   [[nodiscard]] bool covers(const Piece& piece, const ShaftEnd& a, const ShaftEnd& b) const;

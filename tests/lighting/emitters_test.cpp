@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -105,12 +108,14 @@ TEST(Emitters, InSightAreThoseThatAreNotProvenHidden) {
   mesh::ShaftEnd from{.corners = {}, .count = 4, .normal = kUp};
   const Point corner = site.local({1.9, -0.1, 0});
   from.corners = {corner, corner + Vector{0.2, 0, 0}, corner + Vector{0.2, 0.2, 0}, corner + Vector{0, 0.2, 0}};
-  const std::vector<EmitterInSight> found = in_sight(site.solution, site.lamps, from);
+  constexpr std::array<std::uint32_t, 3> kAll{0, 1, 2};
+  const std::vector<EmitterInSight> found = in_sight(site.solution, site.lamps, kAll, from);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].emitter, &site.lamps[1]);
   EXPECT_FALSE(found[0].wholly);
   EXPECT_EQ(found[1].emitter, &site.lamps[2]);
   EXPECT_TRUE(found[1].wholly);
+  EXPECT_EQ(in_sight(site.solution, site.lamps, std::span(kAll).first(2), from).size(), 1U) << "of those asked for";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lighting/emitters.h"
 #include "lighting/form_factor.h"
 #include "lighting/lit_mesh.h"
 #include "lighting/shown_mesh.h"
@@ -91,6 +92,51 @@ TEST(LocalPass, OfALampIsExactInLightAndUmbraAndByItsVisiblePartInThePenumbra) {
   const Point half{2, 2.0 + 2.2 * 0.25 / 0.7, 0};
   EXPECT_NEAR(lit.at(half), by_lamp(half, 1.5, 1.75), 1e-4 * by_lamp(half, 1.5, 1.75));
   EXPECT_EQ(lit.at({2, 2.0 + 2.2 * 0.55 / 0.7, 0}), 0.0);
+}
+
+/// A globe of 512 facets over a plate of 1 m × 2 m, in black.
+Study globe_over_plate() {
+  mesh::Model model = support::box_room(6, 4, 3);
+  support::add_globe(model, {2, 2, 2.5}, 0.15, 32, 16, {"lamp", "globe"});
+  support::add_quad(model, {2.2, 1, 1.5}, {3.2, 1, 1.5}, {3.2, 3, 1.5}, {2.2, 3, 1.5}, {"plate", "plate"});
+  Study study = test::study_of(std::move(model), 0.0, {1, 2, 1});
+  test::shine(test::material(study, "lamp"), kLampLmM2);
+  return study;
+}
+
+TEST(LocalPass, OfAGlobeIsThatOfItsFacetsInLightPenumbraAndUmbra) {
+  constexpr double kAccuracy = 0.02;
+  const Lit lit(globe_over_plate(), kAccuracy);
+  const std::vector<Emitter> facets = emitters(lit.solution);
+  ASSERT_EQ(facets.size(), 512U);
+  int shaded = 0;
+  int dark = 0;
+  for (double x = 0.25; x < 6.0; x += 0.125) {
+    const Point p{x, 1.9, 0};
+    const Point from = lit.local(p) + lit.scene.rays->offset_m() * Vector{0, 0, 1};
+    double full = 0.0;
+    double clipped = 0.0;
+    for (const Emitter& facet : facets) {
+      const double factor = full_factor(lit.solution, facet, from, Vector{0, 0, 1});
+      full += factor;
+      clipped += seen_factor(lit.solution, facet, factor, from, Vector{0, 0, 1}).factor;
+    }
+    const LocalPass::Light light = lit.light(p);
+    const double share = clipped / full;
+    const bool partly = share > 1e-3 && share < 1.0 - 1e-3;  // at its horizon facets hide a little of each other
+    shaded += partly ? 1 : 0;
+    dark += share <= 1e-3 ? 1 : 0;
+    // Of some 250 facets those at the edge of the shadow are in or out.
+    EXPECT_NEAR(light.lux.at(0), kLampLmM2 * clipped, (partly ? 0.02 : 1e-3) * kLampLmM2 * full) << x;
+    EXPECT_EQ(light.error_lux > 1e-3 * kLampLmM2 * full, partly) << x;
+    EXPECT_NEAR(lit.local_pass
+                    .by_lamps(lit.on_floor(lit.local(p)), lit.local(p),
+                              lit.local_pass.lamps_of(lit.on_floor(lit.local(p))), 0.0)
+                    .value(),
+                light.lux.at(0), 1e-9);
+  }
+  EXPECT_GT(shaded, 3);
+  EXPECT_GT(dark, 3);
 }
 
 TEST(LocalPass, IsAboutWhatWasSolvedOnTheMean) {

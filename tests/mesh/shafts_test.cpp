@@ -92,6 +92,14 @@ TEST(Shafts, ObjectBesideTheShaftLeavesItVisible) {
   EXPECT_EQ(Site(squares_and(leg)).classify(kLower, kUpper), Visibility::kVisible);
 }
 
+TEST(Shafts, PlateBesideTheShaftThatNoPlaneOfEitherPartsFromItLeavesItVisible) {
+  // A leaning shaft past the edge of a level plate: its box ends before the plate.
+  const Site site(quad({0.5, -2, 1}, {2, -2, 1}, {2, 2, 1}, {0.5, 2, 1}));
+  EXPECT_EQ(site.classify(end({{-1, 0.3, 0.01}}),
+                          end({{-0.2, 0.2, 1.8}, {-0.2, 0.2, 2.2}, {0.2, 0.2, 2.2}, {0.2, 0.2, 1.8}})),
+            Visibility::kVisible);
+}
+
 TEST(Shafts, LouvreIsPartialThoughAllItsSlatsTogetherHide) {
   // Slats at 45 degrees that overlap as seen from below: no single one covers.
   Model slats;
@@ -161,6 +169,32 @@ TEST(Shafts, BlockersAreWholeConvexFacesUnlessPanesOrTooMany) {
   const Site paned(model, "plate");
   EXPECT_FALSE(paned.shafts.blockers(lower, upper, 1).all);
   EXPECT_TRUE(paned.shafts.blockers(lower, upper, 1).polygons.empty());
+}
+
+TEST(Shafts, IsClearOfAllButOneGroup) {
+  Model model = support::facing_squares(1.0);
+  support::add_box(model, {0.4, 0.4, 0.4}, {0.5, 0.5, 0.5}, {"lamp", "box"});
+  const Site site(model);
+  std::vector<std::uint32_t> group(site.faces.count(), 0);
+  for (const FaceId f : support::faces_of(site.faces, "lamp")) group[f.index()] = 7;
+  ShaftEnd lower = kLower;
+  ShaftEnd upper = kUpper;
+  for (ShaftEnd* e : {&lower, &upper}) {
+    for (std::size_t i = 0; i < e->count; ++i) e->corners[i] = e->corners[i] - site.faces.origin;
+  }
+  EXPECT_TRUE(site.shafts.is_clear(lower, upper, group, 7));
+  EXPECT_FALSE(site.shafts.is_clear(lower, upper, group, 0));
+  const auto box = [&](double low, double high) {
+    return Box{Point{low, low, low} - site.faces.origin, Point{high, high, high} - site.faces.origin};
+  };
+  EXPECT_TRUE(site.shafts.is_clear(box(0.3, 0.6), group, 7));
+  EXPECT_FALSE(site.shafts.is_clear(box(0.3, 0.6), group, 0));
+  EXPECT_FALSE(site.shafts.is_clear(box(0.3, 1.1), group, 7)) << "the upper square";
+  EXPECT_TRUE(site.shafts.is_clear(box(0.6, 0.7), group, 0)) << "empty";
+  Shafts unproven(site.faces, {});
+  unproven.prove_nothing();
+  EXPECT_FALSE(unproven.is_clear(lower, upper, group, 7));
+  EXPECT_FALSE(unproven.is_clear(box(0.6, 0.7), group, 0));
 }
 
 TEST(Shafts, NoFacesHideNothing) {
