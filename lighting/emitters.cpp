@@ -54,11 +54,12 @@ std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId r
   /// Outlines of more edges have more corners than a shaft's end can have, but for collinear ones.
   constexpr std::size_t kMostEdges = 64;
   const Vector& normal = tree.normal(root);
+  const mesh::FaceId face = tree.face_side(root).face;
   std::array<mesh::OutlineEdge, 3> scratch;
   const auto outline = tree.outline(root, scratch);
   if (outline.size() <= kMostEdges) {
     const std::vector<Point> corners = corners_of(outline);
-    mesh::ShaftEnd whole{.corners = {}, .count = corners.size(), .normal = normal};
+    mesh::ShaftEnd whole{.corners = {}, .count = corners.size(), .normal = normal, .face = face};
     if (corners.size() >= 3 && corners.size() <= whole.corners.size() && is_convex(corners, normal)) {
       std::copy(corners.begin(), corners.end(), whole.corners.begin());
       return {whole};
@@ -66,7 +67,7 @@ std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId r
   }
   std::vector<mesh::ShaftEnd> pieces;
   for (const std::array<Point, 3>& t : tree.triangles(root))
-    pieces.push_back({.corners = {t[0], t[1], t[2]}, .count = t.size(), .normal = normal});
+    pieces.push_back({.corners = {t[0], t[1], t[2]}, .count = t.size(), .normal = normal, .face = face});
   return pieces;
 }
 

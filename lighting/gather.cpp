@@ -9,6 +9,7 @@
 
 #include "lighting/dark_share.h"
 #include "lighting/emitters.h"
+#include "lighting/lamp_bodies.h"
 #include "lighting/light_paths.h"
 #include "lighting/luminaire_light.h"
 #include "lighting/openings.h"
@@ -152,6 +153,7 @@ class Gatherer {
       : solution_(solution),
         errors_(errors),
         rays_(solution, seed),
+        bodies_(solution, rays_.emitters()),
         first_rays_(first_rays(accuracy)),
         many_rays_(solution.scene().sky.has_sun() ? kManyRaysUnderSun : kManyRays),
         luminaires_(any_luminaires(solution.scene())) {
@@ -164,8 +166,8 @@ class Gatherer {
     SensorState state;
     const std::uint32_t rays = roughly ? 1 : first_rays_;
     GroupSums exact(scene().groups);
-    for (std::uint32_t k = 0; k < rays_.emitters().size(); ++k)
-      see_emitter(k, rays, sensor, at, receiver, state, exact);
+    for (const std::uint32_t k : bodies_.others()) see_emitter(k, rays, sensor, at, receiver, state, exact);
+    for (const LampBody& body : bodies_.bodies()) see_body(body, rays, sensor, at, receiver, state, exact);
     const AreaMean by_luminaires = luminaire_illuminance(scene(), luminaires_, at, receiver, kFineMean, 1.0, exact);
     state.exact_lux += by_luminaires.value;
     see_sun(rays, sensor, at, receiver, state, exact);
@@ -257,14 +259,33 @@ class Gatherer {
     state.parts.push_back(part);
   }
 
+  /// Facet by facet where something may stand before the body.
+  void see_body(const LampBody& body, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
+                SensorState& state, GroupSums& exact) const {
+    const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+    const BodySight sight = bodies_.sight(solution_, body, eye);
+    if (sight == BodySight::kHidden) return;
+    for (const BodyFacet& facet : body.facets) {
+      if (sight == BodySight::kClear)
+        add_exact(rays_.emitters()[facet.emitter], full_factor(solution_, rays_.emitters(), facet, at, receiver), state,
+                  exact);
+      else
+        see_emitter(facet.emitter, rays, sensor, at, receiver, state, exact);
+    }
+  }
+
+  void add_exact(const Emitter& emitter, double factor, SensorState& state, GroupSums& exact) const {
+    state.exact_lux += emitter.exitance * factor;
+    exact.add(scene().side_group[solution_.tree().face_side(emitter.root).index()], emitter.exitance * factor);
+  }
+
   void see_emitter(std::uint32_t k, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
                    SensorState& state, GroupSums& exact) const {
     const Emitter& emitter = rays_.emitters()[k];
     const double full = full_factor(solution_, emitter, at, receiver);
     const SeenFactor seen = seen_factor(solution_, emitter, full, at, receiver);
     if (seen.exact) {
-      state.exact_lux += emitter.exitance * seen.factor;
-      exact.add(scene().side_group[solution_.tree().face_side(emitter.root).index()], emitter.exitance * seen.factor);
+      add_exact(emitter, seen.factor, state, exact);
       return;
     }
     Part part;
@@ -320,6 +341,7 @@ class Gatherer {
   const Solution& solution_;
   const SolutionErrors& errors_;
   SensorRays rays_;
+  LampBodies bodies_;
   std::uint32_t first_rays_;
   double many_rays_;
   std::vector<mesh::ShaftEnd> opening_ends_;

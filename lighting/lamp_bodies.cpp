@@ -22,7 +22,7 @@ constexpr std::uint32_t kNoBody = std::numeric_limits<std::uint32_t>::max();
 /// Fewer facets are lamps by themselves.
 constexpr std::size_t kLeastFacets = 16;
 /// Bodies of more facets are not asked whether they are convex, by all pairs of them.
-constexpr std::size_t kMostConvex = 4096;
+constexpr std::size_t kMostConvex = 16384;
 /// Of a body's size, what facets may stand out of each other's planes in a convex one.
 constexpr double kFlat = 1e-3;
 /// Size over distance up to which a facet's middle stands for all of it.
@@ -95,6 +95,9 @@ bool is_convex(const mesh::ElementTree& tree, std::span<const Emitter> emitters,
     for (const auto& t : tree.triangles(emitters[facet.emitter].root))
       corners.insert(corners.end(), t.begin(), t.end());
   }
+  const auto place = [](const Point& p) { return std::array{p.x, p.y, p.z}; };
+  std::sort(corners.begin(), corners.end(), [&](const Point& a, const Point& b) { return place(a) < place(b); });
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return std::all_of(body.facets.begin(), body.facets.end(), [&](const BodyFacet& facet) {
     return std::all_of(corners.begin(), corners.end(),
                        [&](const Point& p) { return dot(p - facet.centre, facet.normal) <= kFlat * size_m; });
@@ -150,14 +153,14 @@ BodySight LampBodies::sight(const Solution& solution, const LampBody& body, cons
 }
 
 double full_factor(const Solution& solution, std::span<const Emitter> emitters, const BodyFacet& facet, const Point& at,
-                   const Vector& normal) {
+                   const Receiver& receiver) {
   const Vector to = facet.centre - at;
   const double away = -dot(to, facet.normal);
   if (away <= 0.0) return 0.0;
   const double squared = dot(to, to);
   if (facet.radius_m * facet.radius_m > kFar * kFar * squared)
-    return full_factor(solution, emitters[facet.emitter], at, normal);
-  return std::max(0.0, dot(to, normal)) * away * facet.area_m2 / (std::numbers::pi * squared * squared);
+    return full_factor(solution, emitters[facet.emitter], at, receiver);
+  return std::max(0.0, receiver.kernel(to)) * away * facet.area_m2 / (std::numbers::pi * squared * squared);
 }
 
 }  // namespace clerestory::lighting

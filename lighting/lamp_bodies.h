@@ -52,8 +52,8 @@ class LampBodies {
   std::vector<std::uint32_t> body_of_face_;  ///< [faces] number of a body; kNoBody for others
 };
 
-/// Form factor of a point on a plane to a facet if nothing stood before it: of the facet's middle where it is far, else exact.
+/// Form factor of a point to a facet if nothing stood before it: of the facet's middle where it is far, else exact.
 double full_factor(const Solution& solution, std::span<const Emitter> emitters, const BodyFacet& facet,
-                   const mesh::Point& at, const mesh::Vector& normal);
+                   const mesh::Point& at, const Receiver& receiver);
 
 }  // namespace clerestory::lighting

@@ -39,6 +39,8 @@ constexpr double kGoal = 2.0;
 constexpr double kNeglected = 0.3;
 /// Facets of a body that give less of its light than this share of the accuracy are seen or not as their middles are.
 constexpr double kSmallFacet = 0.25;
+/// Rays to middles of facets of one body.
+constexpr std::size_t kMostMiddles = 512;
 /// What luminaires that are near give is known to this share of the accuracy.
 constexpr double kLampShare = 0.125;
 /// Rays come in so many parts, each evenly spread by itself, whose spread tells the error [Owen 1995]: somewhat more than the error of all,
@@ -392,33 +394,59 @@ double LocalPass::see_body(const BodyInSight& lamp, const BodyLight& full, const
     for (const FacetLight& light : full.facets) add(emitters_[light.facet->emitter], light.factor);
     return 0.0;
   }
-  std::vector<mesh::Segment> segments;
   std::vector<FacetLight> small;
   for (const FacetLight& light : full.facets) {
     const Emitter& emitter = emitters_[light.facet->emitter];
-    if (emitter.exitance * light.factor > kSmallFacet * accuracy_ * full.lux) {
+    if (emitter.exitance * light.factor > kSmallFacet * accuracy_ * full.lux)
       clip(EmitterInSight{&emitter, false});
-      continue;
+    else
+      small.push_back(light);
+  }
+  return see_middles(small, receiver, add);
+}
+
+template <class Add>
+double LocalPass::see_middles(std::span<const FacetLight> facets, const Receiver& receiver, const Add& add) const {
+  std::vector<double> lux;
+  double all = 0.0;
+  for (const FacetLight& light : facets) {
+    lux.push_back(emitters_[light.facet->emitter].exitance * light.factor);
+    all += lux.back();
+  }
+  if (all <= 0.0) return 0.0;
+  // Facets at even steps of the sum of their light stand for it: each for itself where they are few, else some for all.
+  const std::size_t rays = std::min(facets.size(), kMostMiddles);
+  std::vector<double> shares(facets.size(), 1.0);
+  if (rays < facets.size()) {
+    std::fill(shares.begin(), shares.end(), 0.0);
+    double before = 0.0;
+    for (std::size_t i = 0, k = 0; i < facets.size() && k < rays; ++i) {
+      before += lux[i];
+      for (; k < rays && before >= (static_cast<double>(k) + 0.5) * all / static_cast<double>(rays); ++k)
+        shares[i] += all / (static_cast<double>(rays) * lux[i]);
     }
-    small.push_back(light);
-    segments.push_back({receiver.from, light.facet->centre + solution_.scene().rays->offset_m() * light.facet->normal});
+  }
+  std::vector<mesh::Segment> segments;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (shares[i] <= 0.0) continue;
+    const BodyFacet& facet = *facets[i].facet;
+    segments.push_back({receiver.from, facet.centre + solution_.scene().rays->offset_m() * facet.normal});
   }
   std::vector<float> passed(segments.size());
   solution_.scene().rays->transmittance(segments, passed);
-  double all = 0.0;
   double found = 0.0;
   double squares = 0.0;
-  for (std::size_t i = 0; i < small.size(); ++i) {
-    const Emitter& emitter = emitters_[small[i].facet->emitter];
-    const double lux = emitter.exitance * small[i].factor;
-    all += lux;
-    found += lux * passed[i];
-    squares += lux * lux;
-    if (passed[i] > 0.0F) add(emitter, small[i].factor * passed[i]);
+  for (std::size_t i = 0, k = 0; i < facets.size(); ++i) {
+    if (shares[i] <= 0.0) continue;
+    const double own = shares[i] * lux[i];
+    found += own * passed[k];
+    squares += own * own;
+    add(emitters_[facets[i].facet->emitter], shares[i] * facets[i].factor * passed[k]);
+    ++k;
   }
   // Each is seen with the share of all as its probability.
-  const double share = all > 0.0 ? found / all : 0.0;
-  return std::sqrt(std::max(0.0, share * (1.0 - share)) * squares);
+  const double share = std::min(1.0, found / all);
+  return std::sqrt(share * (1.0 - share) * squares);
 }
 
 void LocalPass::from_body(const BodyInSight& lamp, const Receiver& receiver, Sum& sum) const {

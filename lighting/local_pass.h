@@ -106,6 +106,8 @@ class LocalPass {
   template <class Add, class Clip>
   double see_body(const BodyInSight& lamp, const BodyLight& full, const Receiver& receiver, const Add& add,
                   const Clip& clip) const;
+  template <class Add>
+  double see_middles(std::span<const FacetLight> facets, const Receiver& receiver, const Add& add) const;
   void from_body(const BodyInSight& lamp, const Receiver& receiver, Sum& sum) const;
   [[nodiscard]] bool through_opening(const MinorOpening& drawn, std::uint32_t rays, const Receiver& receiver,
                                      Sum& sum) const;

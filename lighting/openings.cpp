@@ -89,7 +89,8 @@ mesh::ShaftEnd shaft_end(const Opening& opening) {
   const auto corner = [&](double u, double v) { return origin + (u * frame.u + v * frame.v); };
   return {.corners = {corner(box[0], box[1]), corner(box[2], box[1]), corner(box[2], box[3]), corner(box[0], box[3])},
           .count = 4,
-          .normal = frame.w};
+          .normal = frame.w,
+          .face = opening.face};
 }
 
 void find_openings(Scene& scene) {

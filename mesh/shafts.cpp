@@ -139,8 +139,9 @@ struct Shafts::Shaft {
   std::array<Point, 8> corners;
   std::size_t corner_count = 0;
   Box box;
+  std::array<FaceId, 2> faces;  ///< of the ends
 
-  Shaft(const ShaftEnd& a, const ShaftEnd& b) {
+  Shaft(const ShaftEnd& a, const ShaftEnd& b) : faces{a.face, b.face} {
     for (const ShaftEnd* end : {&a, &b}) {
       for (std::size_t i = 0; i < end->count; ++i) {
         corners[corner_count++] = end->corners[i];
@@ -191,6 +192,7 @@ struct Shafts::Shaft {
   }
 
   [[nodiscard]] bool misses(const Piece& piece) const {
+    if (FaceId(piece.face) == faces[0] || FaceId(piece.face) == faces[1]) return true;
     for (std::size_t i = 0; i < count; ++i) {
       if (side_of(planes[i], piece.corners[0]) >= -kTouch && side_of(planes[i], piece.corners[1]) >= -kTouch &&
           side_of(planes[i], piece.corners[2]) >= -kTouch) {
@@ -221,6 +223,7 @@ ShaftEnd shaft_end(const ElementTree& tree, ElementId e) {
   ShaftEnd end;
   end.count = tree.hull(e, end.corners);
   end.normal = tree.normal(e);
+  end.face = tree.face_side(e).face;
   return end;
 }
 

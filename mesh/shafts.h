@@ -21,6 +21,9 @@ struct ShaftEnd {
   std::array<Point, 4> corners{};
   std::size_t count = 0;  ///< 1 (a point: no plane of its own, the normal is zero) to 4
   Vector normal;
+  /// The face of which it is a part, if it is: what is flat does not stand before itself, though corners of a polygon as it was drawn
+  /// may lie off its plane, before the piece.
+  FaceId face = {};
 };
 
 /// The hull of a node, of its own side.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -97,6 +98,28 @@ TEST(Emitters, PiecesGiveTogetherWhatTheWholeGives) {
     const SeenFactor seen = whole.seen(whole.lamps[0], from);
     EXPECT_TRUE(seen.exact);
     EXPECT_NEAR(seen.factor, sum, 1e-9) << from.x;
+  }
+}
+
+TEST(Emitters, FacetsOfAFileWithSixDecimalsDoNotHideThemselves) {
+  // Their corners lie off their planes by some tenths of a micrometre.
+  mesh::Model model;
+  support::add_globe(model, {1.5, 1.5, 2.3}, 0.15, 32, 16, {"lamp", "globe"});
+  for (Point& p : model.vertices)
+    p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6, std::round(p.z * 1e6) / 1e6};
+  Study study = test::study_of(std::move(model), 0.0, {0, 0, 0.5});
+  test::shine(test::material(study, "lamp"), 1000.0);
+  const test::Stage stage(study);
+  for (const Point& from : {Point{0.625, 0.625, 0.8}, Point{3.875, 0.625, 0.8}}) {
+    double full = 0.0;
+    double seen = 0.0;
+    for (const Emitter& facet : emitters(stage.solution)) {
+      const double factor = full_factor(stage.solution, facet, stage.local(from), kUp);
+      full += factor;
+      seen += seen_factor(stage.solution, facet, factor, stage.local(from), kUp).factor;
+    }
+    EXPECT_GT(full, 0.0);
+    EXPECT_NEAR(seen, full, 1e-4 * full) << from.x;
   }
 }
 

@@ -75,6 +75,16 @@ TEST(Shafts, OneConvexWallThatCoversTheShaftHides) {
   EXPECT_EQ(site.classify(kLower, kUpper), Visibility::kHidden);
 }
 
+TEST(Shafts, FaceDoesNotBlockItsOwnPieces) {
+  // As where corners of a polygon lie off the plane that its pieces lie in.
+  const Site site(support::facing_squares(1.0));
+  ShaftEnd upper = kUpper;
+  for (std::size_t i = 0; i < upper.count; ++i) upper.corners[i] = upper.corners[i] + Vector{0, 0, 1e-6};
+  EXPECT_NE(site.classify(kLower, upper), Visibility::kVisible);
+  upper.face = support::faces_of(site.faces, "upper").front();
+  EXPECT_EQ(site.classify(kLower, upper), Visibility::kVisible);
+}
+
 TEST(Shafts, WallThatLeavesASlitIsPartial) {
   const Site site(squares_and(quad({0.001, -0.5, 0.5}, {1.5, -0.5, 0.5}, {1.5, 1.5, 0.5}, {0.001, 1.5, 0.5})));
   EXPECT_EQ(site.classify(kLower, kUpper), Visibility::kPartial);
