@@ -393,7 +393,13 @@ std::optional<Link> Linker::link(const LinkCandidate& candidate) const {
 
 std::optional<Link> Linker::remeasured(const Link& link) const {
   if (!link.source.is_cluster()) return link;
-  return link_cluster({link.receiver, link.source, link.visibility, link.mutual}, kKeeping);
+  std::optional<Link> made = link_cluster({link.receiver, link.source, link.visibility, link.mutual}, kKeeping);
+  // Points that see nothing tell no better how far they are wrong than those which held.
+  if (made && made->factor <= 0.0F) {
+    made->error = link.error;
+    made->noise = link.noise;
+  }
+  return made;
 }
 
 Visibility Linker::prove(ElementId receiver, ElementId source) const {

@@ -8,6 +8,7 @@
 
 #include "lighting/emitters.h"
 #include "lighting/gather.h"
+#include "lighting/lamp_bodies.h"
 #include "lighting/luminaire_light.h"
 #include "lighting/opening_sampler.h"
 #include "lighting/sampling.h"
@@ -19,8 +20,9 @@ using mesh::Vector;
 
 namespace {
 
-/// Rays to each surface that shines.
+/// Rays to each surface that shines, and to each facet of a lamp body.
 constexpr std::uint32_t kRays = 256;
+constexpr std::uint32_t kRaysOfFacet = 4;
 /// What CIE 117 is made for [sr].
 constexpr double kLeastSolidAngle = 0.0003;
 constexpr double kMostSolidAngle = 0.1;
@@ -36,6 +38,7 @@ View view_of(const Observer& observer, const Vector& origin) {
 }
 
 void count(double solid_angle_sr, ObserverResult& counts) {
+  if (solid_angle_sr <= 0.0) return;
   ++counts.glaring;
   if (solid_angle_sr < kLeastSolidAngle) ++counts.small;
   if (solid_angle_sr > kMostSolidAngle) ++counts.large;
@@ -61,18 +64,18 @@ void add_luminaire(const Scene& scene, std::size_t k, const View& view, Observer
   sources.push_back({direction, intensity_cd / area_m2, solid_angle_sr});
 }
 
-/// Its visible parts as a source each, since a large surface has another position index here than there.
-void add_emitter(const Solution& solution, const Emitter& emitter, const View& view, ObserverResult& counts,
-                 std::vector<GlareSource>& sources) {
+/// Its visible parts as a source each, since a large surface has another position index here than there. Returns the solid angle seen [sr].
+double add_emitter(const Solution& solution, const Emitter& emitter, const View& view, std::uint32_t rays,
+                   std::vector<GlareSource>& sources) {
   const Scene& scene = solution.scene();
   const auto triangles = solution.tree().triangles(emitter.root);
   const Vector& normal = emitter.end.normal;
   const double height = dot(view.eye - triangles.front()[0], normal);
-  if (height <= 0.0) return;
+  if (height <= 0.0) return 0.0;
   const OpeningSampler sampler(view.eye, triangles);
   const SobolPoints points(emitter.root.index());
   double seen_sr = 0.0;
-  for (std::uint32_t i = 0; i < kRays; ++i) {
+  for (std::uint32_t i = 0; i < rays; ++i) {
     const SolidAngleSample ray = sampler.sample(points.at(i, 0), points.at(i, 1));
     const double fall = -dot(ray.direction, normal);
     if (ray.solid_angle_sr <= 0.0 || fall <= 0.0 || dot(ray.direction, view.direction) <= 0.0) continue;
@@ -81,11 +84,11 @@ void add_emitter(const Solution& solution, const Emitter& emitter, const View& v
     float passed = 0.0F;
     scene.rays->transmittance({&segment, 1}, {&passed, 1});
     if (passed <= 0.0F) continue;
-    const double part_sr = passed * ray.solid_angle_sr / kRays;
+    const double part_sr = passed * ray.solid_angle_sr / rays;
     seen_sr += part_sr;
     sources.push_back({ray.direction, emitter.exitance / std::numbers::pi, part_sr});
   }
-  if (seen_sr > 0.0) count(seen_sr, counts);
+  return seen_sr;
 }
 
 }  // namespace
@@ -94,7 +97,15 @@ std::vector<GlareSource> glare_sources(const Solution& solution, const View& vie
   std::vector<GlareSource> sources;
   const Scene& scene = solution.scene();
   for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_luminaire(scene, k, view, counts, sources);
-  for (const Emitter& emitter : emitters(solution)) add_emitter(solution, emitter, view, counts, sources);
+  const std::vector<Emitter> lamps = emitters(solution);
+  const LampBodies bodies(solution, lamps);
+  for (const std::uint32_t i : bodies.others()) count(add_emitter(solution, lamps[i], view, kRays, sources), counts);
+  for (const LampBody& body : bodies.bodies()) {
+    double seen_sr = 0.0;
+    for (const BodyFacet& facet : body.facets)
+      seen_sr += add_emitter(solution, lamps[facet.emitter], view, kRaysOfFacet, sources);
+    count(seen_sr, counts);
+  }
   return sources;
 }
 

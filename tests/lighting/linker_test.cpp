@@ -270,6 +270,7 @@ struct KeptLight {
   double judged = 0.0;
   double stays = 0.0;
   int links = 0;
+  int unseen = 0;
 };
 
 /// Refines clusters to the links that hold; elements are measured strictly.
@@ -288,6 +289,10 @@ void add_kept(const Pairs& pairs, const Linker& linker, ElementId receiver, std:
     kept.judged += decision.link.factor;
     const std::optional<Link> link = linker.remeasured(decision.link);
     kept.stays += link ? link->factor : 0.0;
+    if (link && link->factor <= 0.0F) {
+      ++kept.unseen;
+      EXPECT_EQ(link->error, decision.link.error) << "points that see nothing tell nothing";
+    }
   } else if (decision.kind != Kind::kNone) {
     add_kept(pairs, linker, receiver, pairs.clusters.left(c), kept);
     add_kept(pairs, linker, receiver, pairs.clusters.right(c), kept);
@@ -310,6 +315,7 @@ TEST(Linker, ClustersThatAreKeptGiveAllOfTheirLight) {
     add_kept(pairs, linker, lower, 0, light);
   }
   EXPECT_GT(light.links, 2 * kSeeds);
+  EXPECT_GT(light.unseen, 0);
   EXPECT_NEAR(light.stays / kSeeds, light.all, 0.01 * light.all);
   EXPECT_LT(light.judged / kSeeds, 0.97 * light.all) << "or this test tells nothing";
 }

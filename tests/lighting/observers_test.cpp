@@ -104,6 +104,22 @@ TEST(Observers, ASurfaceThatShinesGlaresAsAPanelOfItsLuminance) {
   EXPECT_NEAR(seen.ugr, expected_ugr(seen, 1.0), 0.05);
 }
 
+TEST(Observers, AGlobeOfFacetsIsOneSource) {
+  mesh::Model model = support::box_room(6, 8, 3);
+  support::add_globe(model, {3, 5, 2.5}, 0.15, 24, 12, {"lamp", "globe"});
+  Study study = test::study_of(std::move(model), 0.5, {3, 1, 1.2});
+  test::material(study, "lamp").front.emission = Emission{.flux_lm = {}, .luminance_cd_m2 = 2000.0};
+  study.observers.push_back({"desk", {3, 1, 1.2}, {0, 1, 0}});
+  const ObserverResult seen = seen_in(study);
+  EXPECT_EQ(seen.glaring, 1U);
+  EXPECT_EQ(seen.small + seen.large, 0U);
+  const double r2 = 4.0 * 4.0 + 1.3 * 1.3;
+  const double solid_angle = std::numbers::pi * 0.15 * 0.15 / r2;
+  const double p = position_index({.eye = {}, .direction = {0, 1, 0}}, normalized(Vector{0, 4, 1.3}));
+  const double expected = 8.0 * std::log10(0.25 / seen.background_cd_m2 * 2000.0 * 2000.0 * solid_angle / (p * p));
+  EXPECT_NEAR(seen.ugr, expected, 0.15) << "facets fill 0.98 of the disc";
+}
+
 TEST(Observers, AnEvenFieldOfLuminairesHasTheUgrOfTheTabularMethod) {
   // 4 H by 8 H, H = 2 m above the eye, a quarter of H apart; both ways of looking.
   Study study = test::study_of(support::box_room(8, 16, 3.2), 0.0, {4, 8, 1.2});
