@@ -91,7 +91,7 @@ double full_factor(const Solution& solution, const Emitter& emitter, const Point
 
 SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double full, const Point& at,
                        const Receiver& receiver) {
-  if (full <= kLeastFactor) return {};
+  if (full <= 0.0) return {};
   const mesh::Shafts& shafts = *solution.scene().shafts;
   if (emitter.pieces.size() > 1) {
     const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};

@@ -28,7 +28,7 @@ std::vector<Emitter> emitters(const Solution& solution);
 /// Form factor of a point to an emitter if nothing stood before it.
 double full_factor(const Solution& solution, const Emitter& emitter, const mesh::Point& at, const Receiver& receiver);
 
-/// What the point sees of an emitter past what stands before it, by clipping; nothing where the full factor is next to nothing.
+/// What the point sees of an emitter past what stands before it, by clipping.
 /// @param full  as full_factor() gives it
 SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double full, const mesh::Point& at,
                        const Receiver& receiver);

@@ -115,11 +115,13 @@ LampBodies::LampBodies(const Solution& solution, std::span<const Emitter> emitte
       others_.insert(others_.end(), set.begin(), set.end());
       continue;
     }
+    const auto number = static_cast<std::uint32_t>(bodies_.size());
     LampBody& body = bodies_.emplace_back();
+    body.number = number;
     mesh::Box& box = boxes.emplace_back();
     for (const std::uint32_t i : set) {
       body.facets.push_back(facet_of(tree, i, emitters[i]));
-      body_of_face_[tree.face_side(emitters[i].root).face.index()] = static_cast<std::uint32_t>(bodies_.size() - 1);
+      body_of_face_[tree.face_side(emitters[i].root).face.index()] = number;
       for (const auto& t : tree.triangles(emitters[i].root)) {
         for (const Point& p : t) box.add(p);
       }
@@ -135,7 +137,6 @@ LampBodies::LampBodies(const Solution& solution, std::span<const Emitter> emitte
 
 BodySight LampBodies::sight(const Solution& solution, const LampBody& body, const mesh::ShaftEnd& from) const {
   const mesh::Shafts& shafts = *solution.scene().shafts;
-  const auto own = static_cast<std::uint32_t>(&body - bodies_.data());
   bool clear = body.convex;
   bool hidden = true;
   bool outside = false;
@@ -144,7 +145,7 @@ BodySight LampBodies::sight(const Solution& solution, const LampBody& body, cons
                                    [&](const Point& p) { return dot(p - wall.corners[0], wall.normal) > 0.0; });
     if (!faces) continue;
     outside = true;
-    clear = clear && shafts.is_clear(from, wall, body_of_face_, own);
+    clear = clear && shafts.is_clear(from, wall, body_of_face_, body.number);
     hidden = hidden && !clear && shafts.classify(from, wall) == Visibility::kHidden;
     if (!clear && !hidden) return BodySight::kPartial;
   }

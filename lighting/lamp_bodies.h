@@ -23,6 +23,7 @@ struct BodyFacet {
 
 /// Surfaces that shine, hang together by their edges and are many: the facets of a globe or of a tube.
 struct LampBody {
+  std::uint32_t number = 0;  ///< among the bodies
   std::vector<BodyFacet> facets;
   /// From outside of its box no facet hides another, and nothing else is in the box.
   bool convex = false;

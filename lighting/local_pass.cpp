@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "lighting/form_factor.h"
@@ -53,6 +54,31 @@ constexpr double kNear = 2.0;
 /// A power of two, so that rays are evenly spread.
 std::uint32_t ray_count(double wanted, double least) {
   return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(wanted, least, 1024.0)));
+}
+
+/// One of many values that stands for others too.
+struct StandIn {
+  std::size_t which = 0;
+  double weight = 1.0;
+};
+
+/// So many of the values at most, at even steps of their sum, whose weights give this sum; all of them where they are no more.
+std::vector<StandIn> stand_ins(std::span<const double> values, std::size_t most) {
+  std::vector<StandIn> chosen;
+  if (values.size() <= most) {
+    for (std::size_t i = 0; i < values.size(); ++i) chosen.push_back({i, 1.0});
+    return chosen;
+  }
+  const double step = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(most);
+  double before = 0.0;
+  double next = 0.5 * step;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    before += values[i];
+    double steps = 0.0;
+    for (; before > next; next += step) steps += 1.0;
+    if (steps > 0.0) chosen.push_back({i, steps * step / values[i]});
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -408,44 +434,28 @@ double LocalPass::see_body(const BodyInSight& lamp, const BodyLight& full, const
 template <class Add>
 double LocalPass::see_middles(std::span<const FacetLight> facets, const Receiver& receiver, const Add& add) const {
   std::vector<double> lux;
-  double all = 0.0;
-  for (const FacetLight& light : facets) {
-    lux.push_back(emitters_[light.facet->emitter].exitance * light.factor);
-    all += lux.back();
-  }
-  if (all <= 0.0) return 0.0;
-  // Facets at even steps of the sum of their light stand for it: each for itself where they are few, else some for all.
-  const std::size_t rays = std::min(facets.size(), kMostMiddles);
-  std::vector<double> shares(facets.size(), 1.0);
-  if (rays < facets.size()) {
-    std::fill(shares.begin(), shares.end(), 0.0);
-    double before = 0.0;
-    for (std::size_t i = 0, k = 0; i < facets.size() && k < rays; ++i) {
-      before += lux[i];
-      for (; k < rays && before >= (static_cast<double>(k) + 0.5) * all / static_cast<double>(rays); ++k)
-        shares[i] += all / (static_cast<double>(rays) * lux[i]);
-    }
-  }
+  for (const FacetLight& light : facets) lux.push_back(emitters_[light.facet->emitter].exitance * light.factor);
+  const std::vector<StandIn> chosen = stand_ins(lux, kMostMiddles);
   std::vector<mesh::Segment> segments;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    if (shares[i] <= 0.0) continue;
-    const BodyFacet& facet = *facets[i].facet;
+  for (const StandIn& c : chosen) {
+    const BodyFacet& facet = *facets[c.which].facet;
     segments.push_back({receiver.from, facet.centre + solution_.scene().rays->offset_m() * facet.normal});
   }
   std::vector<float> passed(segments.size());
   solution_.scene().rays->transmittance(segments, passed);
+  double all = 0.0;
   double found = 0.0;
   double squares = 0.0;
-  for (std::size_t i = 0, k = 0; i < facets.size(); ++i) {
-    if (shares[i] <= 0.0) continue;
-    const double own = shares[i] * lux[i];
-    found += own * passed[k];
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const auto [which, weight] = chosen[i];
+    const double own = weight * lux[which];
+    all += own;
+    found += own * passed[i];
     squares += own * own;
-    add(emitters_[facets[i].facet->emitter], shares[i] * facets[i].factor * passed[k]);
-    ++k;
+    add(emitters_[facets[which].facet->emitter], weight * facets[which].factor * passed[i]);
   }
   // Each is seen with the share of all as its probability.
-  const double share = std::min(1.0, found / all);
+  const double share = all > 0.0 ? std::min(1.0, found / all) : 0.0;
   return std::sqrt(share * (1.0 - share) * squares);
 }
 

@@ -19,6 +19,8 @@ namespace {
 
 /// Where more stand before a polygon, rays are quicker than clipping.
 constexpr std::size_t kMostBlockers = 48;
+/// Of a polygon, what is more than rounding.
+constexpr double kLeastShare = 1e-6;
 
 /// Large ones leave little to be clipped by others.
 void largest_first(std::vector<std::span<const Point>>& polygons) {
@@ -50,8 +52,12 @@ SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Receiv
   std::array<mesh::OutlineEdge, mesh::ConvexPiece::kMostCorners> scratch;
   for (const mesh::ConvexPiece& part : *parts)
     seen.factor += std::max(0.0, receiver.form_factor(at, part.outline(scratch), polygon.normal));
+  if (blockers.polygons.empty()) return seen;
   // What rounding leaves between blockers that share an edge is no sight.
-  if (seen.factor <= kLeastFactor) return {};
+  std::array<mesh::OutlineEdge, 4> edges;
+  for (std::size_t i = 0; i < polygon.count; ++i) edges[i] = {corners[i], corners[(i + 1) % polygon.count]};
+  const double full = receiver.form_factor(at, std::span(edges).first(polygon.count), polygon.normal);
+  if (seen.factor <= kLeastShare * full) return {};
   return seen;
 }
 
