@@ -15,17 +15,19 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import globe_lamps
 import validation
 
-SCENES = {"office": (0.02, 4), "atrium": (0.05, 0)}  # accuracy asked, and how often it is halved at most
+SCENES = {"office": (0.02, 4), "atrium": (0.05, 0), "globes": (0.02, 0)}  # accuracy asked, and how often it is halved at most
+FINE = 8  # times as exact is the run that stands for the reference where there is none
 AS_GOOD = 1.1  # times the error that the run with all parts states
 PARTS = {"all": "all of it", "clusters": "clusters", "importance": "importance", "proofs": "proven visibility"}
 LONGEST_S = 900
 PAGE = """# What each part of the solver saves
 
-The reference scenes, each part switched off in turn, at one thread: CPU seconds of the run without what is shown of surfaces (medians of {repeat}), of
-linking alone, rays, links, elements, the error that the run states, and the RMS of the sensors against the reference. This page is
-written by
+The reference scenes, and a room lit by four globes of 512 facets each (`benchmarks/globe_lamps.py`), each part switched off in turn, at one thread: CPU seconds of the run without what is shown of surfaces (medians of {repeat}), of
+linking alone, rays, links, elements, the error that the run states, and the RMS of the sensors against the reference, of the globes against
+a run at an eighth of the accuracy. This page is written by
 
     benchmarks/solver_parts.py
 
@@ -51,21 +53,35 @@ in random order. Bundles save what the tree's nodes cost to fetch: little where 
 """
 
 
-def run(program, scene, accuracy, part, folder):
+def study_of(scene, folder):
+    """The path of a scene's study, and what is asked of it."""
+    if scene == "globes":
+        return globe_lamps.write(folder), "illuminance"
     study = folder / f"{scene}.toml"
     study.write_text(validation.study_text(scene))
-    out = subprocess.run([program, study, validation.SCENES[scene][0], str(accuracy), part], check=True,
+    return study, validation.SCENES[scene][0]
+
+
+def run(program, scene, accuracy, part, folder):
+    study, kind = study_of(scene, folder)
+    out = subprocess.run([program, study, kind, str(accuracy), part], check=True,
                          capture_output=True, text=True, timeout=LONGEST_S).stdout.splitlines()
     return json.loads(out[0]), [float(line) for line in out[1:]]
 
 
-def rms(scene, sensors):
+def reference_of(program, scene, folder):
+    """Illuminance of each sensor [lx]."""
+    if scene not in validation.SCENES:
+        return run(program, scene, SCENES[scene][0] / FINE, "all", folder)[1]
     with open(validation.VALIDATION / scene / "reference.csv", newline="") as file:
-        reference = [float(row["illuminance_lux"]) for row in csv.DictReader(file)]
+        return [float(row["illuminance_lux"]) for row in csv.DictReader(file)]
+
+
+def rms(reference, sensors):
     return math.sqrt(statistics.fmean((e / r - 1) ** 2 for e, r in zip(sensors, reference, strict=True)))
 
 
-def row(program, scene, accuracy, part, repeat, folder):
+def row(program, scene, accuracy, part, repeat, reference, folder):
     """A line of the table, and the error that the run states; none where it takes too long."""
     words = "–" if part == "all" else PARTS[part]
     try:
@@ -76,30 +92,30 @@ def row(program, scene, accuracy, part, repeat, folder):
     cpu = statistics.median(f["cpu_s"] for f, _ in runs)
     linking = statistics.median(f["linking_s"] for f, _ in runs)
     return (f"| {scene}, {100 * accuracy:g} % | {words} | {cpu:.2f} | {linking:.2f} | {figures['rays']:,} | {figures['links']:,} | "
-            f"{figures['elements']:,} | {100 * figures['reached']:.2f} % | {100 * rms(scene, sensors):.2f} % |"), figures["reached"]
+            f"{figures['elements']:,} | {100 * figures['reached']:.2f} % | {100 * rms(reference, sensors):.2f} % |"), figures["reached"]
 
 
 def rows(program, scene, repeat, folder):
     accuracy, most_halvings = SCENES[scene]
+    reference = reference_of(program, scene, folder)
     goal = None
     for part in PARTS:
-        line, reached = row(program, scene, accuracy, part, repeat, folder)
+        line, reached = row(program, scene, accuracy, part, repeat, reference, folder)
         yield line
         goal = goal or AS_GOOD * reached
         for halving in range(1, most_halvings + 1):
             if reached is None or reached <= goal:
                 break
-            line, reached = row(program, scene, accuracy / 2**halving, part, 1, folder)
+            line, reached = row(program, scene, accuracy / 2**halving, part, 1, reference, folder)
             if reached is None or reached <= goal or halving == most_halvings:
                 yield line
 
 
 def bundles(program, scene, folder):
     """How long the rays of a run take in the order in which it casts them, and in another."""
-    study = folder / f"{scene}.toml"
-    study.write_text(validation.study_text(scene))
+    study, kind = study_of(scene, folder)
     accuracy = SCENES[scene][0]
-    out = subprocess.run([program, study, validation.SCENES[scene][0], str(accuracy)], check=True, capture_output=True, text=True).stdout
+    out = subprocess.run([program, study, kind, str(accuracy)], check=True, capture_output=True, text=True).stdout
     for phase in map(json.loads, out.splitlines()):
         if phase["phase"] in ("direct light", "linking", "gathering"):
             yield (f"| {scene}, {100 * accuracy:g} % | {phase['phase']} | {phase['rays']:,} | {phase['in_order_s']:.2f} | "
