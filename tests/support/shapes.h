@@ -35,10 +35,10 @@ void add_box(mesh::Model& model, const mesh::Point& low, const mesh::Point& high
 /// Appends a prism over a counter-clockwise outline in the xy plane, from z = low to z = high.
 void add_prism(mesh::Model& model, std::span<const mesh::Point> outline, double low, double high,
                const Names& names = {}, Fronts fronts = Fronts::kOutward);
-/// Appends all polygons of another model, names matched.
 /// Appends a sphere of flat facets between meridians and parallels, as CAD programs export it: triangles at the poles, else quads.
 void add_globe(mesh::Model& model, const mesh::Point& centre, double radius_m, int meridians, int parallels,
                const Names& names = {});
+/// Appends all polygons of another model, names matched.
 void append(mesh::Model& model, const mesh::Model& other);
 
 /// The model turned about an axis through the origin (right-handed), or displaced.
