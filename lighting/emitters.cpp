@@ -42,14 +42,6 @@ std::vector<Point> corners_of(std::span<const mesh::OutlineEdge> outline) {
   return corners;
 }
 
-bool is_convex(std::span<const Point> corners, const Vector& normal) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point& next = corners[(i + 1) % corners.size()];
-    if (dot(cross(next - corners[i], corners[(i + 2) % corners.size()] - next), normal) <= 0.0) return false;
-  }
-  return true;
-}
-
 std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId root) {
   /// Outlines of more edges have more corners than a shaft's end can have, but for collinear ones.
   constexpr std::size_t kMostEdges = 64;
@@ -60,7 +52,7 @@ std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId r
   if (outline.size() <= kMostEdges) {
     const std::vector<Point> corners = corners_of(outline);
     mesh::ShaftEnd whole{.corners = {}, .count = corners.size(), .normal = normal, .face = face};
-    if (corners.size() >= 3 && corners.size() <= whole.corners.size() && is_convex(corners, normal)) {
+    if (corners.size() <= whole.corners.size() && mesh::is_convex(corners, normal)) {
       std::copy(corners.begin(), corners.end(), whole.corners.begin());
       return {whole};
     }
@@ -94,8 +86,7 @@ SeenFactor seen_factor(const Solution& solution, const Emitter& emitter, double 
   if (full <= 0.0) return {};
   const mesh::Shafts& shafts = *solution.scene().shafts;
   if (emitter.pieces.size() > 1) {
-    const mesh::ShaftEnd own{.corners = {at}, .count = 1, .normal = {}};
-    const Visibility whole = shafts.classify(own, emitter.end);
+    const Visibility whole = shafts.classify(mesh::point_end(at), emitter.end);
     if (whole == Visibility::kHidden) return {};
     if (whole == Visibility::kVisible) return {full, true};
   }

@@ -262,7 +262,7 @@ class Gatherer {
   /// Facet by facet where something may stand before the body.
   void see_body(const LampBody& body, std::uint32_t rays, std::size_t sensor, const Point& at, const Receiver& receiver,
                 SensorState& state, GroupSums& exact) const {
-    const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+    const mesh::ShaftEnd eye = mesh::point_end(at);
     const BodySight sight = bodies_.sight(solution_, body, eye);
     if (sight == BodySight::kHidden) return;
     for (const BodyFacet& facet : body.facets) {
@@ -312,7 +312,7 @@ class Gatherer {
       part.most_lux = full_through(scene(), opening_ends_[k], at, receiver);
     else if (!roughly)
       extend(part, rays_through(), sensor, at, receiver);
-    const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+    const mesh::ShaftEnd eye = mesh::point_end(at);
     part.clear = part.lit() > 0 && scene().shafts->classify(eye, opening_ends_[k]) == Visibility::kVisible;
     state.parts.push_back(part);
   }

@@ -413,7 +413,7 @@ LocalPass::BodyLight LocalPass::full_light(const LampBody& body, const Receiver&
 template <class Add, class Clip>
 double LocalPass::see_body(const BodyInSight& lamp, const BodyLight& full, const Receiver& receiver, const Add& add,
                            const Clip& clip) const {
-  const mesh::ShaftEnd eye{.corners = {receiver.from}, .count = 1, .normal = {}};
+  const mesh::ShaftEnd eye = mesh::point_end(receiver.from);
   const BodySight sight = lamp.clear ? BodySight::kClear : bodies_.sight(solution_, *lamp.body, eye);
   if (sight == BodySight::kHidden) return 0.0;
   if (sight == BodySight::kClear) {

@@ -26,7 +26,7 @@ bool is_flat(const LuminousOpening& opening) { return opening.z_m == 0.0; }
 
 /// The rectangle round a flat luminous opening; one corner of a point.
 mesh::ShaftEnd end_of(const Luminaire& luminaire) {
-  if (luminaire.opening.size_m() <= 0.0) return {.corners = {luminaire.at}, .count = 1, .normal = {}};
+  if (luminaire.opening.size_m() <= 0.0) return mesh::point_end(luminaire.at);
   const auto corner = [&](double u, double v) { return luminaire.place(luminaire.opening.place(u, v, 0.5)); };
   // Counter-clockwise as seen from where it shines.
   return {.corners = {corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)}, .count = 4, .normal = -luminaire.axes.w};
@@ -135,7 +135,7 @@ std::optional<std::vector<mesh::ConvexPiece>> seen_opening(const Scene& scene, c
   if (!is_flat_rectangle(luminaire.opening)) return std::nullopt;
   if (luminaire.to_own(at - luminaire.at).z >= -kHousingM) return std::nullopt;
   const mesh::ShaftEnd end = end_of(luminaire);
-  const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+  const mesh::ShaftEnd eye = mesh::point_end(at);
   const mesh::Shafts::Blockers found = scene.shafts->blockers(eye, end, kMostBlockers);
   if (!found.all) return std::nullopt;
   std::vector<std::span<const Point>> before;

@@ -91,14 +91,15 @@ double add_emitter(const Solution& solution, const Emitter& emitter, const View&
   return seen_sr;
 }
 
-}  // namespace
-
-std::vector<GlareSource> glare_sources(const Solution& solution, const View& view, ObserverResult& counts) {
+/// The luminaires and surfaces that shine as an eye sees them, past what stands before them, with the counts of ObserverResult.
+/// A luminaire's luminance is its intensity towards the eye by the area that its luminous opening shows there; what is hidden of it takes
+/// its share off the solid angle. Surfaces that shine are seen by rays, even in solid angle.
+/// @param view  local coordinates
+std::vector<GlareSource> glare_sources(const Solution& solution, std::span<const Emitter> lamps,
+                                       const LampBodies& bodies, const View& view, ObserverResult& counts) {
   std::vector<GlareSource> sources;
   const Scene& scene = solution.scene();
   for (std::size_t k = 0; k < scene.luminaires.size(); ++k) add_luminaire(scene, k, view, counts, sources);
-  const std::vector<Emitter> lamps = emitters(solution);
-  const LampBodies bodies(solution, lamps);
   for (const std::uint32_t i : bodies.others()) count(add_emitter(solution, lamps[i], view, kRays, sources), counts);
   for (const LampBody& body : bodies.bodies()) {
     double seen_sr = 0.0;
@@ -108,6 +109,8 @@ std::vector<GlareSource> glare_sources(const Solution& solution, const View& vie
   }
   return sources;
 }
+
+}  // namespace
 
 std::vector<ObserverResult> observe(const Solution& solution, const SolutionErrors& errors,
                                     std::span<const Observer> observers, double accuracy, std::uint64_t seed,
@@ -120,6 +123,8 @@ std::vector<ObserverResult> observe(const Solution& solution, const SolutionErro
     looks.push_back(observer.look);
   }
   const Gathered gathered = gather(solution, errors, {eyes, looks}, accuracy, seed, progress);
+  const std::vector<Emitter> lamps = emitters(solution);
+  const LampBodies bodies(solution, lamps);
   std::vector<ObserverResult> results;
   for (std::size_t i = 0; i < observers.size(); ++i) {
     ObserverResult result;
@@ -127,7 +132,7 @@ std::vector<ObserverResult> observe(const Solution& solution, const SolutionErro
     const std::uint32_t room = mesh::room_at(scene.rooms, *scene.rays, eyes[i]);
     if (room != mesh::kNoRoom) result.room = room;
     const View view = view_of(observers[i], scene.faces.origin);
-    const std::vector<GlareSource> sources = glare_sources(solution, view, result);
+    const std::vector<GlareSource> sources = glare_sources(solution, lamps, bodies, view, result);
     result.indirect_lux = gathered.indirect_lux[i];
     result.background_cd_m2 = result.indirect_lux / std::numbers::pi;
     result.ugr = unified_glare_rating(view, sources, result.background_cd_m2);

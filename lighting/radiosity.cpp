@@ -273,13 +273,20 @@ class Solver {
 
   /// Measures the links to clusters that refinement has left, by other points than those which told it to.
   void remeasure_clusters(const Linker& linker) {
-    std::vector<std::optional<Link>> measured(links_.size());
+    links_ = all_found(links_.size(), [&](std::size_t i) { return linker.remeasured(links_[i]); });
+  }
+
+  /// The links that find(i) gives for i in [0, count), in order.
+  template <class Find>
+  static std::vector<Link> all_found(std::size_t count, const Find& find) {
+    std::vector<std::optional<Link>> found(count);
     parallel_for(
-        links_.size(), [&](std::size_t i) { measured[i] = linker.remeasured(links_[i]); }, 64);
-    links_.clear();
-    for (const std::optional<Link>& link : measured) {
-      if (link) links_.push_back(*link);
+        count, [&](std::size_t i) { found[i] = find(i); }, 16);
+    std::vector<Link> links;
+    for (const std::optional<Link>& link : found) {
+      if (link) links.push_back(*link);
     }
+    return links;
   }
 
   /// Pairs of which both ways are asked for become mutual where they are proven to see each other. Panes stay apart: links to them are
@@ -331,13 +338,7 @@ class Solver {
         else
           split(pair_of(link), kind, parts);
       }
-      std::vector<std::optional<Link>> found(parts.size());
-      parallel_for(
-          parts.size(), [&](std::size_t i) { found[i] = linker.link(parts[i]); }, 16);
-      made.clear();
-      for (const std::optional<Link>& link : found) {
-        if (link) made.push_back(*link);
-      }
+      made = all_found(parts.size(), [&](std::size_t i) { return linker.link(parts[i]); });
     }
   }
 

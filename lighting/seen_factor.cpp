@@ -40,7 +40,7 @@ void largest_first(std::vector<std::span<const Point>>& polygons) {
 
 SeenFactor seen_factor(const mesh::Shafts& shafts, const Point& at, const Receiver& receiver,
                        const mesh::ShaftEnd& polygon) {
-  const mesh::ShaftEnd eye{.corners = {at}, .count = 1, .normal = {}};
+  const mesh::ShaftEnd eye = mesh::point_end(at);
   mesh::Shafts::Blockers blockers = shafts.blockers(eye, polygon, kMostBlockers);
   largest_first(blockers.polygons);
   const std::span<const Point> corners(polygon.corners.data(), polygon.count);

@@ -38,16 +38,6 @@ double least_over(const Plane& plane, const Box& box) {
   return side_of(plane, p);
 }
 
-bool is_convex(const std::vector<Point>& loop, const Vector& normal) {
-  const std::size_t n = loop.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vector a = loop[(i + 1) % n] - loop[i];
-    const Vector b = loop[(i + 2) % n] - loop[(i + 1) % n];
-    if (dot(cross(a, b), normal) < -1e-9 * norm(a) * norm(b)) return false;
-  }
-  return n >= 3;
-}
-
 /// True when q lies inside a convex loop seen from the tip of its normal.
 bool inside(std::span<const Point> loop, const Vector& normal, const Point& q) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -218,6 +208,16 @@ struct Shafts::InBox {
   [[nodiscard]] bool misses(const Box& other) const { return !interiors_overlap(box, other); }
   [[nodiscard]] bool misses(const Piece& piece) const { return misses(box_of(piece.corners)); }
 };
+
+bool is_convex(std::span<const Point> loop, const Vector& normal) {
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector a = loop[(i + 1) % n] - loop[i];
+    const Vector b = loop[(i + 2) % n] - loop[(i + 1) % n];
+    if (dot(cross(a, b), normal) < -1e-9 * norm(a) * norm(b)) return false;
+  }
+  return n >= 3;
+}
 
 ShaftEnd shaft_end(const ElementTree& tree, ElementId e) {
   ShaftEnd end;

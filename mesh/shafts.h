@@ -26,8 +26,14 @@ struct ShaftEnd {
   FaceId face = {};
 };
 
+/// A point as an end.
+[[nodiscard]] inline ShaftEnd point_end(const Point& at) { return {.corners = {at}, .count = 1, .normal = {}}; }
+
 /// The hull of a node, of its own side.
 ShaftEnd shaft_end(const ElementTree& tree, ElementId e);
+
+/// Whether a planar loop turns one way all along, to the left as seen from the tip of its normal, but for rounding.
+bool is_convex(std::span<const Point> loop, const Vector& normal);
 
 /// Conservative visibility between planar pieces: the convex hull of both ends against a tree of the faces' triangles
 /// [Haines, Wallace 1994], hidden when one convex blocker covers the hull.
