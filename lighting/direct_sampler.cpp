@@ -27,6 +27,10 @@ namespace {
 
 constexpr std::uint32_t kPoints = 8;      ///< places on a node, to see how light changes over it
 constexpr std::uint32_t kDirections = 8;  ///< from each place towards each opening, and into the open hemisphere
+/// Where a node looks at many openings, from each place so many towards all of them, but no fewer than this towards each: errors of many parts
+/// even out.
+constexpr std::size_t kAllDirections = 16;
+constexpr std::size_t kLeastDirections = 2;
 /// Rays that must all fail before an opening, or the open sky, counts as unseen by a node and all its parts; each with a place and a
 /// direction of its own, stratified in all four dimensions. When n of them have failed, up to 3/n may be seen with 95 % confidence
 /// [Hanley, Lippman-Hand 1983]: so many that this does not matter, within bounds.
@@ -259,7 +263,12 @@ DirectSurvey DirectSampler::survey(const DirectCandidate& candidate, bool roughl
 /// The light at places all over a node through the openings that matter to it, and from the open sky.
 DirectSampler::Places DirectSampler::look_out(const DirectCandidate& node, std::uint64_t key) const {
   Places places = places_on(node.node, key);
-  for (const std::uint32_t k : node.openings) survey_opening(node.node, k, mesh::hash(key, k), places);
+  const std::size_t share = kAllDirections / std::max<std::size_t>(1, node.openings.size());
+  const std::size_t each = std::clamp<std::size_t>(std::bit_floor(share), kLeastDirections, kDirections);
+  for (const std::uint32_t k : node.openings) {
+    const Directions directions = directions_of(mesh::hash(key, k));
+    survey_opening(node.node, k, std::span(directions).first(each), places);
+  }
   if (node.open_sky && !node.minor_sky) survey_sky(node.node, mesh::hash(key, 0xFFFF), places);
   return places;
 }
@@ -381,9 +390,10 @@ bool DirectSampler::in_view(ElementId e, const mesh::ShaftEnd& own, std::uint32_
   return in_front(own, ends_[k]) && in_front(ends_[k], own);
 }
 
-void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t key, Places& places) const {
+/// @param directions  points of the unit square
+void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::span<const std::array<double, 2>> directions,
+                                   Places& places) const {
   const Vector& normal = solution_.tree().normal(e);
-  const Directions directions = directions_of(key);
   std::vector<double> moments(places.moments.size());
   for (std::uint32_t i = 0; i < kPoints; ++i) {
     const OpeningSampler sampler(places.lifted[i], scene().openings[k].triangles);
@@ -391,7 +401,7 @@ void DirectSampler::survey_opening(ElementId e, std::uint32_t k, std::uint64_t k
       const SolidAngleSample s = sampler.sample(a, b);
       const double cosine = dot(s.direction, normal);
       if (s.solid_angle_sr <= 0.0 || cosine <= 0.0) continue;
-      const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * kDirections);
+      const double weight = s.solid_angle_sr * cosine / (std::numbers::pi * static_cast<double>(directions.size()));
       Collector collector{&solution_, true};
       collector.moments = moments;
       std::fill(moments.begin(), moments.end(), 0.0);

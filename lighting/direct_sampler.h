@@ -93,7 +93,8 @@ class DirectSampler {
   [[nodiscard]] bool is_lit(const Probe& probe, std::int32_t opening) const;
   [[nodiscard]] Places places_on(mesh::ElementId e, std::uint64_t key) const;
   [[nodiscard]] Places look_out(const DirectCandidate& node, std::uint64_t key) const;
-  void survey_opening(mesh::ElementId e, std::uint32_t k, std::uint64_t key, Places& places) const;
+  void survey_opening(mesh::ElementId e, std::uint32_t k, std::span<const std::array<double, 2>> directions,
+                      Places& places) const;
   void survey_sky(mesh::ElementId e, std::uint64_t key, Places& places) const;
   void add_suns(const DirectCandidate& candidate, DirectSurvey& result) const;
   void add_luminaires(const DirectCandidate& candidate, DirectSurvey& result) const;
