@@ -14,8 +14,14 @@ using mesh::ElementId;
 using mesh::Vector;
 
 Solution::Solution(const Scene& scene, mesh::ElementTree tree)
-    : scene_(&scene), tree_(std::move(tree)), element_count_(tree_.roots().size()) {
+    : scene_(&scene), tree_(std::move(tree)), top_(tree_.start_triangle_count()), element_count_(tree_.roots().size()) {
+  for (const ElementId root : tree_.roots()) put_on_top(root);
   grow();
+}
+
+void Solution::put_on_top(ElementId e) {
+  std::fill_n(top_.begin() + static_cast<std::ptrdiff_t>(tree_.first_start_triangle(e)), tree_.start_triangle_count(e),
+              e);
 }
 
 void Solution::grow() {
@@ -52,6 +58,7 @@ void Solution::open(ElementId e) {
     std::copy_n(radiosity_.begin() + static_cast<std::ptrdiff_t>(e.index() * channels()), channels(),
                 radiosity_.begin() + static_cast<std::ptrdiff_t>(child * channels()));
     mean_[child] = mean_[e.index()];
+    if (!tree_.is_triangle(e)) put_on_top(ElementId(child));
   }
 }
 
@@ -74,15 +81,17 @@ void Solution::set_errors(std::span<const Errors> errors) {
 }
 
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
-  return element_at(tree_.find_start(side, region, point), point);
+  return tree_.find(side, region, point, open_);
 }
 
-ElementId Solution::element_at(ElementId node, const mesh::Point& point) const {
-  if (!node.valid()) return node;
-  ElementId element = node;
-  if (tree_.is_triangle(node)) element = tree_.descend(node, point, [&](ElementId e) { return is_open(e); });
-  // The tree may be deeper than the solution: up to the highest node that is not open.
-  for (ElementId up = tree_.parent(element); up.valid() && !is_open(up); up = tree_.parent(up)) element = up;
+ElementId Solution::element_at(ElementId triangle, const mesh::Point& point) const {
+  if (!triangle.valid()) return triangle;
+  assert(tree_.is_triangle(triangle));
+  const ElementId top = top_[tree_.first_start_triangle(triangle)];
+  if (!is_open(top)) return top;
+  ElementId element = tree_.descend(triangle, point, [&](ElementId e) { return is_open(e); });
+  // The tree may be deeper than the solution.
+  for (ElementId up = tree_.parent(element); !is_open(up); up = tree_.parent(up)) element = up;
   return element;
 }
 

@@ -41,8 +41,8 @@ class Solution {
 
   /// The element that holds a point of a region of a face side; invalid where the side carries none.
   [[nodiscard]] mesh::ElementId element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const;
-  /// The same from a node that was found for the point before, whatever has been split since; invalid from an invalid one.
-  [[nodiscard]] mesh::ElementId element_at(mesh::ElementId node, const mesh::Point& point) const;
+  /// The same from a triangle of the tree that holds it, whatever has been split since; invalid from an invalid one.
+  [[nodiscard]] mesh::ElementId element_at(mesh::ElementId triangle, const mesh::Point& point) const;
   [[nodiscard]] std::size_t element_count() const { return element_count_; }
   /// All elements, in order of their ids.
   [[nodiscard]] std::vector<mesh::ElementId> elements() const;
@@ -139,9 +139,12 @@ class Solution {
   void pull_children(mesh::ElementId e);
   void set_deviation(mesh::ElementId e);
   void grow();
+  /// From here on e is the highest node above its start triangles that is not open, or one of these.
+  void put_on_top(mesh::ElementId e);
 
   const Scene* scene_;
   mesh::ElementTree tree_;
+  std::vector<mesh::ElementId> top_;  ///< [start triangles] the highest node above each that is not open, or itself
   std::size_t element_count_;
   std::size_t most_elements_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> open_;

@@ -16,6 +16,8 @@ namespace {
 constexpr double kEdgeSlack = 1e-6;
 /// Rounding of coordinates to single precision, twice over.
 constexpr double kSingle = 0x1p-22;
+/// Rays that come far and aslant hit a surface so much beside where they should [m].
+constexpr double kHitSlack = 1e-4;
 /// Sampled points keep off edges by a ten-thousandth of the triangle: more than rays' single precision, less than anything to be seen.
 constexpr double kInside = 1.0 - 1e-4;
 
@@ -150,10 +152,10 @@ void ElementTree::add_forks(std::uint32_t root) {
     Fork& fork = forks_[nodes_[n].shape];
     for (std::uint32_t k = 0; k < 2; ++k) {
       const Node& child = nodes_[nodes_[n].first_child + k];
-      fork.below[k] = child.triangle ? kLeaf | (nodes_[n].first_child + k) : child.shape;
+      fork.children[k] = {nodes_[n].first_child + k, child.triangle ? kLeaf : child.shape};
       const std::array<double, 4> box = rectangle_of(child);
       const double farthest = std::max({-box[0], -box[1], box[2], box[3]});
-      const double grown = kEdgeSlack * (box[2] - box[0] + box[3] - box[1]) + kSingle * farthest;
+      const double grown = kHitSlack + kEdgeSlack * (box[2] - box[0] + box[3] - box[1]) + kSingle * farthest;
       fork.rectangles[k] = {static_cast<float>(box[0] - grown), static_cast<float>(box[1] - grown),
                             static_cast<float>(box[2] + grown), static_cast<float>(box[3] + grown)};
     }
@@ -421,15 +423,67 @@ ElementId ElementTree::find(FaceSide side, const Point& point) const {
 }
 
 ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point) const {
-  const ElementId start = find_start(side, region, point);
-  return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;
+  return find_below(side, region, point, [](ElementId) { return true; });
 }
 
-ElementId ElementTree::find_start(FaceSide side, std::uint32_t region, const Point& point) const {
+ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point,
+                            std::span<const std::uint8_t> entered) const {
+  return find_below(side, region, point, [&](ElementId e) { return entered[e.index()] != 0; });
+}
+
+template <class Enter>
+ElementId ElementTree::find_below(FaceSide side, std::uint32_t region, const Point& point, const Enter& enter) const {
   const auto roots = roots_of(side);
   if (roots.empty()) return {};
   assert(region < roots.size());
-  return start_below(roots.subspan(region, 1), point);
+  const ElementId found = group_or_start(roots[region], point, enter);
+  return is_triangle(found) ? descend(found, point, enter) : found;
+}
+
+struct ElementTree::Search {
+  Search(const ElementTree& tree, const Node& top, const Point& point) {
+    const Vector d = point - tree.side_origin_[top.face_side];
+    u = static_cast<float>(dot(d, tree.side_axes_[top.face_side].u));
+    v = static_cast<float>(dot(d, tree.side_axes_[top.face_side].v));
+  }
+
+  [[nodiscard]] bool is_over() const { return count == 0; }
+  [[nodiscard]] Candidate next() { return waiting[--count]; }
+  /// Children whose rectangles hold the point, grown by so much; the first of them comes next.
+  void add(const Fork& fork, float more) {
+    for (const std::size_t k : {1, 0}) {
+      const auto& box = fork.rectangles[k];
+      if (u >= box[0] - more && v >= box[1] - more && u <= box[2] + more && v <= box[3] + more)
+        waiting[count++] = fork.children[k];
+    }
+  }
+
+  float u = 0.0F;
+  float v = 0.0F;
+  std::array<Candidate, 64> waiting;
+  std::size_t count = 0;
+};
+
+/// The first group that is not entered, or the start triangle, on the way down to a point. What is left when all other candidates do not hold
+/// it is taken untried: a region has no gaps.
+template <class Enter>
+ElementId ElementTree::group_or_start(ElementId root, const Point& point, const Enter& enter) const {
+  const Node& top = node(root);
+  if (top.triangle || !enter(root)) return root;
+  Search search(*this, top, point);
+  search.add(forks_[top.shape], 0.0F);
+  while (!search.is_over()) {
+    const auto [id, fork] = search.next();
+    if (fork != kLeaf && enter(ElementId(id)))
+      search.add(forks_[fork], 0.0F);
+    else if (search.is_over() || start_holding(id, point, kEdgeSlack).valid())
+      return ElementId(id);
+  }
+  ElementId found = start_below(std::span(&root, 1), point);
+  for (ElementId up = parent(found); up.valid(); up = parent(up)) {
+    if (!enter(up)) found = up;
+  }
+  return found;
 }
 
 ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point& point) const {
@@ -447,27 +501,16 @@ ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point
 ElementId ElementTree::start_holding(std::uint32_t top, const Point& point, double slack) const {
   const Node& node = nodes_[top];
   if (node.triangle) return triangle_holds(node, point, slack) ? ElementId(top) : ElementId();
-  const Vector d = point - side_origin_[node.face_side];
-  const auto u = static_cast<float>(dot(d, side_axes_[node.face_side].u));
-  const auto v = static_cast<float>(dot(d, side_axes_[node.face_side].v));
   // Rectangles have the least slack in them already.
   const float more = slack > kEdgeSlack ? static_cast<float>(2.0 * slack * node.radius) : 0.0F;
-  std::array<std::uint32_t, 64> stack;
-  std::size_t depth = 0;
-  stack[depth++] = node.shape;
-  while (depth > 0) {
-    const std::uint32_t next = stack[--depth];
-    if ((next & kLeaf) != 0) {
-      const std::uint32_t id = next & ~kLeaf;
-      if (triangle_holds(nodes_[id], point, slack)) return ElementId(id);
-      continue;
-    }
-    const Fork& fork = forks_[next];
-    for (const std::size_t k : {1, 0}) {
-      const auto& box = fork.rectangles[k];
-      if (u >= box[0] - more && v >= box[1] - more && u <= box[2] + more && v <= box[3] + more)
-        stack[depth++] = fork.below[k];
-    }
+  Search search(*this, node, point);
+  search.add(forks_[node.shape], more);
+  while (!search.is_over()) {
+    const auto [id, fork] = search.next();
+    if (fork != kLeaf)
+      search.add(forks_[fork], more);
+    else if (triangle_holds(nodes_[id], point, slack))
+      return ElementId(id);
   }
   return {};
 }

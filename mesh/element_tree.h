@@ -69,8 +69,10 @@ class ElementTree {
   [[nodiscard]] std::span<const OutlineEdge> outline(ElementId e, std::array<OutlineEdge, 3>& scratch) const;
   /// A convex set of corners in the plane that holds the node: 3 for a triangle, a rectangle for a group. Returns the count.
   std::size_t hull(ElementId e, std::array<Point, 4>& corners) const;
-  /// Start triangles below (or, for parts of one, above) a node.
+  /// Start triangles below (or, for parts of one, above) a node: consecutive ones, from this number on.
+  [[nodiscard]] std::size_t first_start_triangle(ElementId e) const { return node(e).begin; }
   [[nodiscard]] std::size_t start_triangle_count(ElementId e) const { return node(e).end - node(e).begin; }
+  [[nodiscard]] std::size_t start_triangle_count() const { return start_.size(); }
 
   /// The point of the node that belongs to (a, b) in the unit square, uniform by area but for a hair along the edges: rays that start
   /// there stay on their side of whatever stands on an edge.
@@ -100,8 +102,10 @@ class ElementTree {
   [[nodiscard]] ElementId find(FaceSide side, const Point& point) const;
   /// The same where the region is known, as from a ray's triangle: a point that is rounded across a contact stays on its side of it.
   [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point) const;
-  /// The start triangle that find() descends from.
-  [[nodiscard]] ElementId find_start(FaceSide side, std::uint32_t region, const Point& point) const;
+  /// The first node on the way down to it that is not entered.
+  /// @param entered  [nodes] non-zero for those whose children are looked at
+  [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point,
+                               std::span<const std::uint8_t> entered) const;
 
  private:
   struct Node {
@@ -125,12 +129,19 @@ class ElementTree {
     std::uint32_t edge_count = 0;
     std::array<double, 4> rectangle{};  ///< low u, low v, high u, high v from the face's origin
   };
-  /// What finding a point needs of a group: the rectangles of both children, grown by the least slack and by rounding.
+  /// A node that may hold a point.
+  struct Candidate {
+    std::uint32_t node = 0;
+    std::uint32_t fork = 0;  ///< index into forks_; kLeaf of a triangle
+  };
+  static constexpr std::uint32_t kLeaf = 0xFFFFFFFFU;
+  /// What finding a point needs of a group: its children and their rectangles, grown by the least slack and by what hits are rounded by.
   struct Fork {
     std::array<std::array<float, 4>, 2> rectangles{};
-    std::array<std::uint32_t, 2> below{};  ///< index into forks_, or kLeaf and a triangle's node
+    std::array<Candidate, 2> children{};
   };
-  static constexpr std::uint32_t kLeaf = 0x80000000U;
+  /// A point of a side by its coordinates there, with the candidates for holding it that wait to be looked at.
+  struct Search;
   using StartTriangle = std::array<std::uint32_t, 3>;
 
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
@@ -149,6 +160,10 @@ class ElementTree {
   [[nodiscard]] std::array<double, 4> rectangle_of(const Node& node) const;
   /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
   [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
+  template <class Enter>
+  [[nodiscard]] ElementId find_below(FaceSide side, std::uint32_t region, const Point& point, const Enter& enter) const;
+  template <class Enter>
+  [[nodiscard]] ElementId group_or_start(ElementId root, const Point& point, const Enter& enter) const;
 
   std::vector<Node> nodes_;
   std::vector<ElementId> roots_;

@@ -282,6 +282,39 @@ TEST(ElementTree, FindForgivesPointsJustOutsideTheFace) {
   EXPECT_EQ(g.tree.face_side(found), lower);
 }
 
+/// Enters nodes from the roots on at random; [nodes].
+std::vector<std::uint8_t> entered_at_random(const Grown& g, std::mt19937& random) {
+  std::vector<std::uint8_t> entered(g.tree.size(), 0);
+  for (const ElementId e : g.all()) {
+    const ElementId above = g.tree.parent(e);
+    const bool reached = !above.valid() || entered[above.index()] != 0;
+    entered[e.index()] = reached && g.tree.has_children(e) && random() % 4 != 0 ? 1 : 0;
+  }
+  return entered;
+}
+
+TEST(ElementTree, FindStopsAtTheFirstNodeThatIsNotEntered) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const Model& model : {support::l_room(), support::square_with_hole(), support::table_on_floor()}) {
+    Grown g(model, 0.5);
+    split_at_random(g, random, 400);
+    const std::vector<std::uint8_t> entered = entered_at_random(g, random);
+    for (int i = 0; i < 2000; ++i) {
+      const ElementId root = g.tree.roots()[random() % g.tree.roots().size()];
+      const FaceSide side = g.tree.face_side(root);
+      const auto region =
+          static_cast<std::uint32_t>(std::ranges::find(g.tree.roots_of(side), root) - g.tree.roots_of(side).begin());
+      const Point p = g.tree.sample(root, uniform(random), uniform(random));
+      ElementId expected = g.tree.find(side, p);
+      for (ElementId up = g.tree.parent(expected); up.valid(); up = g.tree.parent(up)) {
+        if (entered[up.index()] == 0) expected = up;
+      }
+      EXPECT_EQ(g.tree.find(side, region, p, entered), expected);
+    }
+  }
+}
+
 TEST(ElementTree, SamplesAreUniformByArea) {
   Grown g(support::l_room(), 1.5);
   const FaceId floor = support::faces_of(g.faces, "floor").at(0);
