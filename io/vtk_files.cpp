@@ -207,6 +207,7 @@ std::string vtp_bytes(vtkPolyData* data) {
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();  // 32 bits would end at 4 GB an array
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError || !message.empty()) {
     throw MachineError("VTK cannot write its file: " +

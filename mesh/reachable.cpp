@@ -16,8 +16,9 @@ namespace clerestory::mesh {
 
 namespace {
 
-/// Rays that a region's side sends out at first, and once more when they are not decisive. Of sides of closed shells inside of which there is
-/// no sign of light, the first few are enough.
+/// Rays that a region's side sends out at first, while it is not reached, and once more when they are not decisive. Of sides of closed shells
+/// inside of which there is no sign of light, few are enough.
+constexpr std::uint32_t kFirstRays = 4;
 constexpr std::uint32_t kFewRays = 16;
 constexpr std::uint32_t kRays = 64;
 constexpr std::uint32_t kMoreRays = 256;
@@ -25,7 +26,6 @@ constexpr std::uint32_t kMoreRays = 256;
 /// rays of them all: where there are many of these sides, each sends fewer.
 constexpr std::uint32_t kMostRays = 4096;
 constexpr std::size_t kMostRaysOfAll = std::size_t{1} << 19U;
-constexpr double kShareOfFewRays = static_cast<double>(kFewRays) / kRays;
 /// A shell encloses a space from this share of the volume of the box around it on; what has no thickness encloses nothing but rounding.
 constexpr double kLeastEnclosed = 1e-6;
 /// So many exchanged rays make a side reached: 3 % of kRays, and never one alone.
@@ -82,12 +82,9 @@ class Search {
   /// Sends rays from the given nodes and follows what they tell to its end.
   void search(const std::vector<Node>& nodes, Progress& progress) {
     const std::vector<Node> shells = side_shells(faces_, regions_);
-    PhasePart few_rays(progress, 0.0, kShareOfFewRays);
-    cast(nodes, 0, kFewRays, few_rays);
-    settle();
-    PhasePart casting(progress, kShareOfFewRays, 1.0);
-    cast(outside_of_solids(nodes, shells), kFewRays, kRays - kFewRays, casting);
-    settle();
+    cast_up_to(kFirstRays, nodes, 0, progress);
+    cast_up_to(kFewRays, not_reached(nodes), kFirstRays, progress);
+    cast_up_to(kRays, outside_of_solids(not_reached(nodes), shells), kFewRays, progress);
     for (std::vector<Node> doubtful = undecided(nodes); !doubtful.empty(); doubtful = undecided(nodes)) {
       NoProgress untold;
       PhasePart few(untold, 0.0, 1.0);
@@ -101,6 +98,17 @@ class Search {
   static Side side(Node node) { return node % 2 == 0 ? Side::kFront : Side::kBack; }
 
   void cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count, PhasePart& progress);
+  /// Of kRays, those from the first one on.
+  void cast_up_to(std::uint32_t end, const std::vector<Node>& nodes, std::uint32_t first, Progress& progress) {
+    PhasePart part(progress, static_cast<double>(first) / kRays, static_cast<double>(end) / kRays);
+    cast(nodes, first, end - first, part);
+    settle();
+  }
+  [[nodiscard]] std::vector<Node> not_reached(const std::vector<Node>& nodes) const {
+    std::vector<Node> found;
+    std::ranges::copy_if(nodes, std::back_inserter(found), [&](Node n) { return reached_[n] == 0; });
+    return found;
+  }
   void follow(Node from, Ray ray);
   void settle();
   void index_touches();

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "mesh/geometry.h"
@@ -32,13 +31,12 @@ class VertexIndex {
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::int64_t z = 0;
-    bool operator==(const Cell&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Cell& cell) const;
   };
 
   [[nodiscard]] Cell cell_of(const Point& p) const;
+  [[nodiscard]] std::size_t bucket_of(const Cell& cell) const;
+  void put_into_bucket(std::uint32_t index);
+  void double_buckets();
 
   /// A few times the tolerance, so that what is near a point lies in its own cell as a rule, and in eight at most.
   static constexpr double kCellOverTolerance = 8.0;
@@ -46,8 +44,9 @@ class VertexIndex {
   double tolerance_;  ///< [m]
   double cell_;       ///< side of a cell [m]
   std::vector<Point> points_;
-  std::unordered_map<Cell, std::uint32_t, Hash> head_;  ///< newest point of a cell; at most a few share one
-  std::vector<std::uint32_t> next_;                     ///< the next older point of the same cell
+  int bits_ = 0;                       ///< of a bucket's number
+  std::vector<std::uint32_t> newest_;  ///< [buckets] the point that came last to one of the cells of a bucket
+  std::vector<std::uint32_t> next_;    ///< [points] the next older one of the same bucket
 };
 
 }  // namespace clerestory::mesh
