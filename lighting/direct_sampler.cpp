@@ -500,6 +500,7 @@ bool DirectSampler::is_lit(const Probe& probe, std::int32_t opening) const {
 
 /// @param allowed  what may be missed [lux]
 bool DirectSampler::sees(ElementId e, std::int32_t opening, double allowed) const {
+  constexpr std::uint32_t kFirst = 4;  // the first probe of what can be seen tells so as a rule
   constexpr std::uint32_t kBatch = 16;
   const SobolPoints numbers(
       mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(opening + 7)));
@@ -508,9 +509,9 @@ bool DirectSampler::sees(ElementId e, std::int32_t opening, double allowed) cons
   std::array<float, kBatch> passed{};
   const double enough = 3.0 * most_lux(e, opening) / allowed;
   const auto most = static_cast<std::uint32_t>(std::clamp<double>(enough, kLeastProbes, kMostProbes));
-  for (std::uint32_t first = 0; first < most; first += kBatch) {
+  for (std::uint32_t first = 0, end = kFirst; first < most; first = end, end = std::min(end + kBatch, most)) {
     std::size_t count = 0;
-    for (std::uint32_t i = first; i < first + kBatch; ++i) {
+    for (std::uint32_t i = first; i < end; ++i) {
       probes[count] = probe(e, opening, numbers, i);
       segments[count] = probes[count].segment;
       count += probes[count].possible ? 1 : 0;

@@ -52,39 +52,36 @@ Vector spherical_triangle_point(const Vector& a, const Vector& b, const Vector& 
 
 OpeningSampler::OpeningSampler(const Point& from, std::span<const std::array<Point, 3>> triangles)
     : from_(from), triangles_(triangles), many_(triangles.size() > kFew ? triangles.size() : 0) {
-  const std::span<double> cumulative = triangles.size() > kFew ? std::span(many_) : std::span(few_);
-  // Triangles of one polygon share corners, and each takes a root.
-  std::array<Vector, 3> towards;
+  const std::span<Part> parts = many_.empty() ? std::span<Part>(few_) : std::span<Part>(many_);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const std::array<Vector, 3> before = towards;
+    auto& corners = parts[i].corners;
     for (std::size_t k = 0; k < 3; ++k) {
+      // Triangles of one polygon share corners, and each takes a root.
       const Point& corner = triangles[i][k];
       std::size_t known = 0;
       while (known < 3 && (i == 0 || !(triangles[i - 1][known] == corner))) ++known;
-      towards[k] = known < 3 ? before[known] : normalized(corner - from);
+      corners[k] = known < 3 ? parts[i - 1].corners[known] : normalized(corner - from);
     }
-    total_ += triangle_solid_angle(towards[0], towards[1], towards[2]);
-    cumulative[i] = total_;
+    total_ += triangle_solid_angle(corners[0], corners[1], corners[2]);
+    parts[i].up_to_sr = total_;
   }
 }
 
 SolidAngleSample OpeningSampler::sample(double a, double b) const {
   if (total_ <= 0.0) return {};
-  const std::span<const double> cumulative =
-      triangles_.size() > kFew ? std::span(many_) : std::span(few_).first(triangles_.size());
+  const std::span<const Part> parts = this->parts();
   const double wanted = a * total_;
-  const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), wanted);
-  const auto i = static_cast<std::size_t>(std::min(found, cumulative.end() - 1) - cumulative.begin());
-  const double before = i == 0 ? 0.0 : cumulative[i - 1];
-  const double own = cumulative[i] - before;
+  const auto found = std::ranges::upper_bound(parts, wanted, {}, &Part::up_to_sr);
+  const auto i = static_cast<std::size_t>(std::min(found, parts.end() - 1) - parts.begin());
+  const double before = i == 0 ? 0.0 : parts[i - 1].up_to_sr;
+  const double own = parts[i].up_to_sr - before;
   if (own <= 0.0) return {};
   const double x = std::clamp((wanted - before) / own, 0.0, 1.0);
-  const auto& t = triangles_[i];
   if (own >= kTinySolidAngle) {
-    const Vector d = spherical_triangle_point(normalized(t[0] - from_), normalized(t[1] - from_),
-                                              normalized(t[2] - from_), own, x, b);
-    return {d, total_};
+    const auto& corners = parts[i].corners;
+    return {spherical_triangle_point(corners[0], corners[1], corners[2], own, x, b), total_};
   }
+  const auto& t = triangles_[i];
   const double r = std::sqrt(x);
   const Point p = t[0] + (r * (1.0 - b) * (t[1] - t[0]) + r * b * (t[2] - t[0]));
   const Vector d = p - from_;

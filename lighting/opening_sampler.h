@@ -26,12 +26,21 @@ class OpeningSampler {
   [[nodiscard]] SolidAngleSample sample(double a, double b) const;
 
  private:
+  /// A triangle as it is seen.
+  struct Part {
+    std::array<mesh::Vector, 3> corners;  ///< unit vectors
+    double up_to_sr = 0.0;                ///< the solid angle of all up to this one
+  };
+  [[nodiscard]] std::span<const Part> parts() const {
+    return many_.empty() ? std::span(few_).first(triangles_.size()) : std::span(many_);
+  }
+
   mesh::Point from_;
   std::span<const std::array<mesh::Point, 3>> triangles_;
-  /// Solid angles up to each triangle: few of them without a visit to the heap, since many samplers serve one ray.
-  static constexpr std::size_t kFew = 8;
-  std::array<double, kFew> few_{};
-  std::vector<double> many_;
+  /// Few of them without a visit to the heap, since many samplers serve one ray.
+  static constexpr std::size_t kFew = 4;
+  std::array<Part, kFew> few_;
+  std::vector<Part> many_;
   double total_ = 0.0;
 };
 

@@ -62,6 +62,7 @@ constexpr double kShareOfFirstMesh = 0.8;
 
 /// The element that holds a point of a side; invalid where it carries none.
 ElementId element_at(const Solution& solution, FaceSide side, const Point& point) {
+  if (solution.tree().roots_of(side).size() == 1) return solution.element_at(side, 0, point);
   const ElementId node = solution.tree().find(side, point);
   return node.valid() ? solution.element_at(node, point) : node;
 }

@@ -418,7 +418,9 @@ bool ElementTree::holds(ElementId e, const Point& point) const {
 }
 
 ElementId ElementTree::find(FaceSide side, const Point& point) const {
-  const ElementId start = start_below(roots_of(side), point);
+  const auto roots = roots_of(side);
+  if (roots.size() == 1) return find(side, 0, point);
+  const ElementId start = start_below(roots, point);
   return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;
 }
 
