@@ -36,12 +36,14 @@ constexpr std::size_t kLeastDirections = 2;
 /// [Hanley, Lippman-Hand 1983]: so many that this does not matter, within bounds.
 constexpr std::uint32_t kLeastProbes = 32;
 constexpr std::uint32_t kMostProbes = 256;
-constexpr std::uint32_t kBatches = 8;     ///< independent scramblings that tell the noise of a node's mean
+constexpr std::uint32_t kBatches = 4;     ///< independent scramblings that tell the noise of a node's mean
 constexpr std::uint32_t kFirstRays = 32;  ///< a batch and opening, to begin with; fewer where a node looks at many
 constexpr std::uint32_t kLeastRays = 8;
-constexpr std::uint32_t kMostRays = 512;  ///< a batch and opening
-constexpr double kNoiseShare = 0.5;       ///< of the tolerance, what light may be unsure by that is measured with fewer
-constexpr std::size_t kLeastMinor = 4;    ///< openings that hardly matter: so many at least, and at most, stand for all
+constexpr std::uint32_t kMostRays = 1024;  ///< a batch and opening
+/// Twice the rays take no more off a variance than this leaves: few batches that agree by chance would end the sampling too early.
+constexpr double kLeastLeft = 0.25;
+constexpr double kNoiseShare = 0.5;     ///< of the tolerance, what light may be unsure by that is measured with fewer
+constexpr std::size_t kLeastMinor = 4;  ///< openings that hardly matter: so many at least, and at most, stand for all
 constexpr std::size_t kMostMinor = 16;
 constexpr double kBeyondGuess = 0.4;        ///< outdoor surfaces receive some 40 % of the open sky's light
 constexpr float kLeastReflectance = 0.05F;  ///< black surfaces are still shown with their illuminance
@@ -158,7 +160,9 @@ struct DirectSampler::Part {
   [[nodiscard]] ReplicateMean lux() const {
     std::array<double, kBatches> means = sums;
     for (double& mean : means) mean /= rays;
-    return mean_of_replicates(means);
+    ReplicateMean mean = mean_of_replicates(means);
+    mean.variance = std::max(mean.variance, kLeastLeft * variance_before);
+    return mean;
   }
   /// Of what it adds, that of having been drawn for others included [Horvitz, Thompson 1952].
   [[nodiscard]] double variance() const {
@@ -178,6 +182,7 @@ struct DirectSampler::Part {
   std::int32_t opening;
   double weight = 1.0;                  ///< of its light: above 1 where it stands for other openings
   std::uint32_t rays = 0;               ///< a batch
+  double variance_before = 0.0;         ///< by half of the rays; 0 of the first ones
   std::array<double, kBatches> sums{};  ///< with the guess of what lies beyond
   double received = 0.0;                ///< from the sky
   GroupSums groups;
@@ -287,7 +292,11 @@ DirectMeasurement DirectSampler::measure(const DirectSurvey& survey, bool roughl
   std::vector<Part> parts;
   for (const std::uint32_t k : survey.below.openings) parts.emplace_back(static_cast<std::int32_t>(k), scene().groups);
   if (survey.below.open_sky && !survey.below.minor_sky) parts.emplace_back(kOpenSky, scene().groups);
-  for (Part& part : parts) extend(e, rays_to_begin(e, part.opening, parts.size()), part);
+  for (Part& part : parts) {
+    const std::uint32_t first = rays_to_begin(e, part.opening, parts.size());
+    if (first > 1) extend(e, first / 2, part);
+    extend(e, first, part);
+  }
   if (!roughly) improve(e, parts);
   measure_minor(survey.below, parts);
   for (const Part& part : parts) {
@@ -528,6 +537,7 @@ bool DirectSampler::sees(ElementId e, std::int32_t opening, double allowed) cons
 void DirectSampler::extend(ElementId e, std::uint32_t until, Part& part) const {
   const std::uint64_t key =
       mesh::hash(mesh::hash(seed_, solution_.tree().key(e)), static_cast<std::uint64_t>(part.opening + 0x10000));
+  if (part.rays > 0) part.variance_before = part.lux().variance;
   for (std::uint32_t b = 0; b < kBatches; ++b) {
     const SobolPoints numbers(mesh::hash(key, b));
     for (std::uint32_t i = part.rays; i < until; ++i) {
