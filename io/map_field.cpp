@@ -232,14 +232,10 @@ Mask paint_field(Raster& raster, const MapMesh& mesh, const MapLayout& layout, c
     field.begin(first, end);
     for (const FieldQuad& quad : quads) field.fill(quad);
     for (int y = first; y < end; ++y) {
-      int x = 0;
-      for (const float coverage : within.row(y)) {
-        if (coverage > 0.0F) {
-          const double here = paint_pixel(raster, x, y, field, paint, static_cast<double>(coverage));
-          painted.add(x, y, static_cast<float>(here));
-        }
-        ++x;
-      }
+      within.in_row(y, [&](int x, float coverage) {
+        const double here = paint_pixel(raster, x, y, field, paint, static_cast<double>(coverage));
+        painted.add(x, y, static_cast<float>(here));
+      });
     }
   }
   return painted;

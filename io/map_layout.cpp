@@ -90,10 +90,7 @@ void Occupied::take(const PixelRect& rectangle) {
 void Occupied::take(const Mask& mask, Owner owner) {
   for (int y = 0; y < height_; ++y) {
     auto here = owners_.begin() + static_cast<std::ptrdiff_t>(y) * width_;
-    for (const float coverage : mask.row(y)) {
-      if (coverage > 0.0F) *here = *here == kNobody || *here == owner ? owner : kSomebody;
-      ++here;
-    }
+    mask.in_row(y, [&](int x, float) { here[x] = here[x] == kNobody || here[x] == owner ? owner : kSomebody; });
   }
 }
 

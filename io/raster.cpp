@@ -2,6 +2,7 @@
 #include "io/raster.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <png.h>
@@ -24,14 +25,14 @@ struct PixelRange {
   int last;
 };
 
-double distance_to_segment(Pixel p, Pixel a, Pixel b) {
+double squared_distance_to_segment(Pixel p, Pixel a, Pixel b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double square = dx * dx + dy * dy;
   const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
   const double x = p.x - a.x - t * dx;
   const double y = p.y - a.y - t * dy;
-  return std::sqrt(x * x + y * y);
+  return x * x + y * y;
 }
 
 /// Adds the share of each pixel of a row that lies in [from, to].
@@ -67,19 +68,22 @@ void mix(Rgb& below, Rgb above, double share) {
 
 double lightness(Rgb colour) { return (0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b) / 255.0; }
 
-Mask::Mask(int width, int height) : width_(width), height_(height), rows_(static_cast<std::size_t>(height)) {}
+Mask::Mask(int width, int height)
+    : width_(width),
+      height_(height),
+      in_row_(static_cast<std::size_t>((width + kStretch - 1) / kStretch)),
+      first_(in_row_ * static_cast<std::size_t>(height), kNone) {}
 
 void Mask::add(int x, int y, float coverage) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   if (coverage <= 0.0F) return;
-  float& here = touched(y)[static_cast<std::size_t>(x)];
+  std::uint32_t& first = first_[stretch(x, y)];
+  if (first == kNone) {
+    first = static_cast<std::uint32_t>(coverage_.size());
+    coverage_.resize(coverage_.size() + kStretch);
+  }
+  float& here = coverage_[first + static_cast<std::size_t>(x % kStretch)];
   here = std::max(here, coverage);
-}
-
-std::vector<float>& Mask::touched(int y) {
-  std::vector<float>& row = rows_[static_cast<std::size_t>(y)];
-  if (row.empty()) row.resize(static_cast<std::size_t>(width_));
-  return row;
 }
 
 void Mask::add_segment(Pixel a, Pixel b, double line_width) {
@@ -88,8 +92,8 @@ void Mask::add_segment(Pixel a, Pixel b, double line_width) {
   const PixelRange columns(std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, width_);
   for (int y = rows.first; y <= rows.last; ++y) {
     for (int x = columns.first; x <= columns.last; ++x) {
-      const double distance = distance_to_segment({x + 0.5, y + 0.5}, a, b);
-      add(x, y, static_cast<float>(std::clamp(reach - distance, 0.0, 1.0)));
+      const double square = squared_distance_to_segment({x + 0.5, y + 0.5}, a, b);
+      if (square < reach * reach) add(x, y, static_cast<float>(std::min(reach - std::sqrt(square), 1.0)));
     }
   }
 }
@@ -122,24 +126,22 @@ void Mask::add_polygon(std::span<const Pixel> loop) {
   const auto [left, right] = std::ranges::minmax_element(loop, {}, &Pixel::x);
   const PixelRange columns(left->x, right->x, width_);
   if (columns.last < columns.first) return;
-  const auto first = static_cast<std::size_t>(columns.first);
-  const auto end = static_cast<std::size_t>(columns.last) + 1;
   std::vector<float> covered(static_cast<std::size_t>(width_));
   std::vector<double> crossings;
   for (int y = rows.first; y <= rows.last; ++y) {
     std::fill(covered.begin() + columns.first, covered.begin() + columns.last + 1, 0.0F);
     for (int s = 0; s < kScanlinesPerPixel; ++s)
       add_scanline(loop, y + (s + 0.5) / kScanlinesPerPixel, covered, crossings);
-    std::vector<float>& row = touched(y);
-    for (std::size_t x = first; x < end; ++x) row[x] = std::max(row[x], std::min(covered[x], 1.0F));
+    for (int x = columns.first; x <= columns.last; ++x) add(x, y, std::min(covered[static_cast<std::size_t>(x)], 1.0F));
   }
 }
 
 void Mask::keep_inside(const Mask& other) {
-  for (std::size_t y = 0; y < rows_.size(); ++y) {
-    const std::vector<float>& kept = other.rows_[y];
-    if (kept.empty()) rows_[y].clear();
-    for (std::size_t x = 0; x < rows_[y].size(); ++x) rows_[y][x] *= kept[x];
+  assert(width_ == other.width_ && height_ == other.height_);
+  for (std::size_t s = 0; s < first_.size(); ++s) {
+    if (other.first_[s] == kNone) first_[s] = kNone;
+    if (first_[s] == kNone) continue;
+    for (std::size_t i = 0; i < kStretch; ++i) coverage_[first_[s] + i] *= other.coverage_[other.first_[s] + i];
   }
 }
 
@@ -154,15 +156,8 @@ void Raster::blend(int x, int y, Rgb colour, double coverage) {
 }
 
 void Raster::paint(const Mask& mask, Rgb colour, double opacity) {
-  const int columns = std::min(width_, mask.width());
   for (int y = 0; y < std::min(height_, mask.height()); ++y) {
-    const std::span<const float> row = mask.row(y);
-    if (row.empty()) continue;
-    Rgb* const pixels = &pixels_[index(0, y)];
-    for (int x = 0; x < columns; ++x) {
-      const float coverage = row[static_cast<std::size_t>(x)];
-      if (coverage > 0.0F) mix(pixels[x], colour, static_cast<double>(coverage) * opacity);
-    }
+    mask.in_row(y, [&](int x, float coverage) { blend(x, y, colour, static_cast<double>(coverage) * opacity); });
   }
 }
 

@@ -47,11 +47,20 @@ class Mask {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] float at(int x, int y) const {
-    const std::vector<float>& row = rows_[static_cast<std::size_t>(y)];
-    return row.empty() ? 0.0F : row[static_cast<std::size_t>(x)];
+    const std::uint32_t first = first_[stretch(x, y)];
+    return first == kNone ? 0.0F : coverage_[first + static_cast<std::size_t>(x % kStretch)];
   }
-  /// The coverage of a row's pixels, or nothing where no shape comes near it.
-  [[nodiscard]] std::span<const float> row(int y) const { return rows_[static_cast<std::size_t>(y)]; }
+  /// Calls visit(x, coverage) for the pixels of a row that are covered, from the left to the right.
+  template <class Visit>
+  void in_row(int y, const Visit& visit) const {
+    for (int x = 0; x < width_; x += kStretch) {
+      const std::uint32_t first = first_[stretch(x, y)];
+      if (first == kNone) continue;
+      for (int i = 0; i < kStretch; ++i) {
+        if (const float here = coverage_[first + static_cast<std::size_t>(i)]; here > 0.0F) visit(x + i, here);
+      }
+    }
+  }
 
   /// A line of the given width [pixels] with round joints and ends.
   void add_line(std::span<const Pixel> line, bool closed, double line_width);
@@ -65,14 +74,21 @@ class Mask {
   void keep_inside(const Mask& other);
 
  private:
-  /// A row that is there from now on.
-  [[nodiscard]] std::vector<float>& touched(int y);
+  static constexpr int kStretch = 64;  ///< pixels of a row that come together
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+  [[nodiscard]] std::size_t stretch(int x, int y) const {
+    return static_cast<std::size_t>(y) * in_row_ + static_cast<std::size_t>(x / kStretch);
+  }
   void add_segment(Pixel a, Pixel b, double line_width);
   void add_scanline(std::span<const Pixel> loop, double y, std::vector<float>& row, std::vector<double>& crossings);
 
   int width_;
   int height_;
-  std::vector<std::vector<float>> rows_;  ///< empty until touched: most shapes are small
+  std::size_t in_row_;  ///< stretches of a row
+  std::vector<std::uint32_t>
+      first_;  ///< [stretches, row by row] where its pixels begin; kNone until touched: most shapes are small
+  std::vector<float> coverage_;  ///< of the stretches that are there
 };
 
 /// A picture in memory, painted in layers.
