@@ -31,11 +31,18 @@ double point_form_factor(const Point& point, const Vector& normal, std::span<con
   const double height = dot(point - outline[0].from, outline_normal);
   if (height <= 0.0) return 0.0;
 
+  double sum = 0.0;
   // The horizon cuts the polygon's plane in one line. Its part inside the polygon closes the clipped outline; the angles at
   // which edges cross it add up whatever the order of the edges.
-  const Vector line = normalized(cross(outline_normal, normal));
-  double sum = 0.0;
+  Vector line;
+  bool crossed = false;
   double closing = 0.0;
+  const auto close = [&](const Vector& crossing, double sign) {
+    if (!crossed) line = normalized(cross(outline_normal, normal));
+    crossed = true;
+    const double along = dot(crossing, line);
+    closing += sign * arc_tangent(along, norm(crossing - along * line));
+  };
   for (const OutlineEdge& edge : outline) {
     Vector a = edge.from - point;
     Vector b = edge.to - point;
@@ -44,26 +51,21 @@ double point_form_factor(const Point& point, const Vector& normal, std::span<con
     if (ha <= 0.0 && hb <= 0.0) continue;
     if (ha < 0.0 || hb < 0.0) {
       const Vector crossing = a + (ha / (ha - hb)) * (b - a);
-      const double along = dot(crossing, line);
-      const double across = norm(crossing - along * line);
-      const double angle = arc_tangent(along, across);
-      closing += ha < 0.0 ? angle : -angle;
+      close(crossing, ha < 0.0 ? 1.0 : -1.0);
       (ha < 0.0 ? a : b) = crossing;
     } else if (ha == 0.0 || hb == 0.0) {
       // A corner on the horizon: only the edge that comes from above or goes there crosses it.
-      const Vector& corner = ha == 0.0 ? a : b;
-      const double along = dot(corner, line);
-      const double angle = arc_tangent(along, norm(corner - along * line));
-      closing += ha == 0.0 ? angle : -angle;
+      close(ha == 0.0 ? a : b, ha == 0.0 ? 1.0 : -1.0);
     }
     sum += lambert_term(a, b, normal);
   }
   // Seen from the emitting side the outline runs counter-clockwise, and the point looks the other way: the sign turns. The closing
   // edges lie in the horizon, so that their planes' normal is the receiver's, up or down with the direction along the line.
-  const Vector towards = -height * outline_normal;
-  const double turn = dot(cross(towards, line), normal) >= 0.0 ? 1.0 : -1.0;
-  const double factor = -(sum + turn * closing) / (2.0 * std::numbers::pi);
-  return std::max(0.0, factor);
+  if (crossed) {
+    const Vector towards = -height * outline_normal;
+    sum += dot(cross(towards, line), normal) >= 0.0 ? closing : -closing;
+  }
+  return std::max(0.0, -sum / (2.0 * std::numbers::pi));
 }
 
 double exchange_area(std::span<const OutlineEdge> receiver, std::span<const OutlineEdge> source) {
