@@ -51,4 +51,14 @@ TracedScene traced_scene(const lighting::Study& study) {
   return scene;
 }
 
+Reference traced_reference(const lighting::Study& study, std::size_t paths) {
+  const lighting::GridRequest& grid = study.grids.front();
+  Reference reference;
+  for (const Traced& t : trace_illuminance(traced_scene(study), grid.points, grid.normals, {.paths = paths})) {
+    reference.illuminance_lux.push_back(t.illuminance_lux);
+    reference.standard_error_lux.push_back(t.standard_error_lux);
+  }
+  return reference;
+}
+
 }  // namespace clerestory::test

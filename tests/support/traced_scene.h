@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "lighting/study.h"
 #include "tests/support/path_tracer.h"
+#include "tests/support/validation_scenes.h"
 
 namespace clerestory::test {
 
@@ -10,5 +13,9 @@ namespace clerestory::test {
 /// over all faces of the material, so each lamp must have a material of its own.
 /// Throws InputError as clean() does, and std::invalid_argument for a material without a grey reflectance.
 TracedScene traced_scene(const lighting::Study& study);
+
+/// The illuminance at the points of the study's first grid by the path tracer.
+/// @param paths  a sensor
+Reference traced_reference(const lighting::Study& study, std::size_t paths);
 
 }  // namespace clerestory::test

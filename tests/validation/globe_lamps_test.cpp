@@ -5,9 +5,7 @@
 
 #include <cmath>
 #include <iostream>
-#include <vector>
 
-#include "tests/support/path_tracer.h"
 #include "tests/support/shapes.h"
 #include "tests/support/traced_scene.h"
 #include "tests/validation/statistics.h"
@@ -35,21 +33,13 @@ lighting::Study study() {
 
 TEST(GlobeLamps, GiveAllOfTheirLight) {
   lighting::Study globes = study();
-  const std::vector<mesh::Point> sensors = cell_centres({0.2, 0.2, 0.8}, 5.6, 4.6, 5);
-  add_sensors(globes, sensors, {0, 0, 1});
+  add_sensors(globes, cell_centres({0.2, 0.2, 0.8}, 5.6, 4.6, 5), {0, 0, 1});
   globes.accuracy.target = 0.02;
   const lighting::Results results = answer(globes);
   std::cout << "[ FIGURES  ] globe lamps: balance off by " << 100 * results.energy.residual << " %\n";
   EXPECT_LE(std::abs(results.energy.residual), 0.01);
 
-  const auto traced = trace_illuminance(traced_scene(globes), sensors,
-                                        std::vector<mesh::Vector>(sensors.size(), {0, 0, 1}), {.paths = 65'536});
-  Reference reference;
-  for (const Traced& t : traced) {
-    reference.illuminance_lux.push_back(t.illuminance_lux);
-    reference.standard_error_lux.push_back(t.standard_error_lux);
-  }
-  const Comparison c = compare(results.grids.at(0), reference);
+  const Comparison c = compare(results.grids.at(0), traced_reference(globes, 65'536));
   print("globe lamps", c);
   EXPECT_TRUE(results.accuracy_met);
   EXPECT_LE(std::abs(c.bias), 0.01);

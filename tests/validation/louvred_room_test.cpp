@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/path_tracer.h"
 #include "tests/support/shapes.h"
 #include "tests/support/traced_scene.h"
 #include "tests/validation/statistics.h"
@@ -113,18 +112,10 @@ std::vector<Point> places() {
 
 TEST(LouvredRoom, DaylightIsThatOfThePathTracerAsInTheOffice) {
   lighting::Study study = louvred_study();
-  const std::vector<Point> sensors = places();
-  add_sensors(study, sensors, {0, 0, 1});
+  add_sensors(study, places(), {0, 0, 1});
   study.accuracy.target = 0.02;
   const lighting::Results results = answer(study);
-  const auto traced = trace_illuminance(traced_scene(study), sensors, std::vector<Vector>(sensors.size(), {0, 0, 1}),
-                                        {.paths = 131'072});
-  Reference reference;
-  for (const Traced& t : traced) {
-    reference.illuminance_lux.push_back(t.illuminance_lux);
-    reference.standard_error_lux.push_back(t.standard_error_lux);
-  }
-  const Comparison c = compare(results.grids.at(0), reference);
+  const Comparison c = compare(results.grids.at(0), traced_reference(study, 131'072));
   print("louvred room", c);
   EXPECT_TRUE(results.accuracy_met);
   EXPECT_LE(c.rms, 0.025);  // the noise of the path tracer included

@@ -209,14 +209,7 @@ lighting::Study sunny_room() {
 /// The program against the oracle, at 2 %: the mean within 1 %, the errors honest as far as so many sensors can tell.
 void expect_as_traced(const std::string& what, const lighting::Study& study) {
   const lighting::GridResult grid = answer(study).grids.at(0);
-  const lighting::GridRequest& asked = study.grids.front();
-  const auto traced = trace_illuminance(traced_scene(study), asked.points, asked.normals, {.paths = 16'384});
-  Reference reference;
-  for (const Traced& t : traced) {
-    reference.illuminance_lux.push_back(t.illuminance_lux);
-    reference.standard_error_lux.push_back(t.standard_error_lux);
-  }
-  const Comparison result = compare(grid, reference);
+  const Comparison result = compare(grid, traced_reference(study, 16'384));
   print(what, result);
   EXPECT_LE(std::abs(result.bias), 0.01) << what;
   EXPECT_GE(result.rms_z, 0.5) << what;
