@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -14,6 +15,7 @@
 #include "lighting/luminaire_view.h"
 #include "lighting/parallel.h"
 #include "mesh/element_tree.h"
+#include "mesh/straight_corners.h"
 
 namespace clerestory::lighting {
 
@@ -24,8 +26,6 @@ using mesh::Vector;
 
 namespace {
 
-/// Edges that turn by less are one edge [rad].
-constexpr double kStraight = 1e-6;
 /// Critical surfaces that are traced of any source, however weak.
 constexpr std::size_t kLeastCriticalSurfaces = 200;
 /// Of the time, what tracing takes.
@@ -37,13 +37,9 @@ constexpr double kUnsolvedSizeM = 0.5;
 std::vector<std::vector<Point>> outline_of(const mesh::Faces& faces, mesh::FaceId face) {
   std::vector<std::vector<Point>> outline;
   for (const auto& loop : faces.faces[face.index()].loops) {
-    std::vector<Point> corners;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Point& before = faces.shape.vertices[loop[(i + loop.size() - 1) % loop.size()]];
-      const Point& p = faces.shape.vertices[loop[i]];
-      const Point& after = faces.shape.vertices[loop[(i + 1) % loop.size()]];
-      if (norm(cross(normalized(p - before), normalized(after - p))) > kStraight) corners.push_back(p);
-    }
+    std::vector<Point> all;
+    for (const std::uint32_t v : loop) all.push_back(faces.shape.vertices[v]);
+    std::vector<Point> corners = mesh::without_straight_corners(all);
     if (corners.size() > 2) outline.push_back(std::move(corners));
   }
   return outline;

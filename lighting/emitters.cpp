@@ -7,6 +7,7 @@
 #include <span>
 
 #include "lighting/form_factor.h"
+#include "mesh/straight_corners.h"
 
 namespace clerestory::lighting {
 
@@ -16,9 +17,6 @@ using mesh::Vector;
 using mesh::Visibility;
 
 namespace {
-
-/// Corners closer to the line through their neighbours than this share of its length are none.
-constexpr double kStraight = 1e-9;
 
 /// The corners of an outline in turn, without those that lie on a straight edge; none where it is more than one loop.
 std::vector<Point> corners_of(std::span<const mesh::OutlineEdge> outline) {
@@ -33,13 +31,7 @@ std::vector<Point> corners_of(std::span<const mesh::OutlineEdge> outline) {
     loop.push_back(at);
     at = outline[next].to;
   }
-  std::vector<Point> corners;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vector before = loop[i] - loop[(i + loop.size() - 1) % loop.size()];
-    const Vector behind = loop[(i + 1) % loop.size()] - loop[i];
-    if (norm(cross(before, behind)) > kStraight * norm(before) * norm(behind)) corners.push_back(loop[i]);
-  }
-  return corners;
+  return mesh::without_straight_corners(loop);
 }
 
 std::vector<mesh::ShaftEnd> pieces_of(const mesh::ElementTree& tree, ElementId root) {

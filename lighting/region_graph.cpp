@@ -7,6 +7,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "mesh/straight_corners.h"
+
 namespace clerestory::lighting {
 
 namespace {
@@ -42,19 +44,6 @@ std::vector<std::uint32_t> number_places(const std::vector<Point>& vertices, std
     place_of[i] = static_cast<std::uint32_t>(places.size() - 1);
   }
   return place_of;
-}
-
-/// Drops corners that lie on the line between their neighbours.
-std::vector<Point> without_straight_corners(const std::vector<Point>& loop) {
-  constexpr double kStraight = 1e-9;
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point& before = kept.empty() ? loop.back() : kept.back();
-    const Vector a = mesh::normalized(loop[i] - before);
-    const Vector b = mesh::normalized(loop[(i + 1) % loop.size()] - loop[i]);
-    if (mesh::norm(mesh::cross(a, b)) > kStraight || mesh::dot(a, b) < 0.0) kept.push_back(loop[i]);
-  }
-  return kept;
 }
 
 }  // namespace
@@ -211,7 +200,7 @@ std::vector<std::vector<Point>> RegionGraph::chain(const std::vector<Edge>& edge
       leaving.erase(it);
       it = next_edge(edge);
     }
-    loop = without_straight_corners(loop);
+    loop = mesh::without_straight_corners(loop);
     if (loop.size() >= 3) loops.push_back(std::move(loop));
   }
   return loops;
