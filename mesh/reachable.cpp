@@ -82,9 +82,9 @@ class Search {
   /// Sends rays from the given nodes and follows what they tell to its end.
   void search(const std::vector<Node>& nodes, Progress& progress) {
     const std::vector<Node> shells = side_shells(faces_, regions_);
-    cast_up_to(kFirstRays, nodes, 0, progress);
-    cast_up_to(kFewRays, not_reached(nodes), kFirstRays, progress);
-    cast_up_to(kRays, outside_of_solids(not_reached(nodes), shells), kFewRays, progress);
+    cast_stage(nodes, 0, kFirstRays, progress);
+    cast_stage(not_reached(nodes), kFirstRays, kFewRays, progress);
+    cast_stage(outside_of_solids(not_reached(nodes), shells), kFewRays, kRays, progress);
     for (std::vector<Node> doubtful = undecided(nodes); !doubtful.empty(); doubtful = undecided(nodes)) {
       NoProgress untold;
       PhasePart few(untold, 0.0, 1.0);
@@ -98,8 +98,8 @@ class Search {
   static Side side(Node node) { return node % 2 == 0 ? Side::kFront : Side::kBack; }
 
   void cast(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t count, PhasePart& progress);
-  /// Of kRays, those from the first one on.
-  void cast_up_to(std::uint32_t end, const std::vector<Node>& nodes, std::uint32_t first, Progress& progress) {
+  /// The rays [first, end) of kRays a node, and what follows from them.
+  void cast_stage(const std::vector<Node>& nodes, std::uint32_t first, std::uint32_t end, Progress& progress) {
     PhasePart part(progress, static_cast<double>(first) / kRays, static_cast<double>(end) / kRays);
     cast(nodes, first, end - first, part);
     settle();
