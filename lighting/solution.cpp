@@ -81,7 +81,9 @@ void Solution::set_errors(std::span<const Errors> errors) {
 }
 
 ElementId Solution::element_at(mesh::FaceSide side, std::uint32_t region, const mesh::Point& point) const {
-  return tree_.find(side, region, point, open_);
+  const ElementId top = tree_.find(side, region, point, top_);
+  if (!top.valid() || !is_open(top)) return top;
+  return tree_.descend(top, point, [&](ElementId e) { return is_open(e); });
 }
 
 ElementId Solution::element_at(ElementId triangle, const mesh::Point& point) const {

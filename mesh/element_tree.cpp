@@ -14,8 +14,6 @@ namespace {
 
 /// Slack of point location, relative to an element's size: a hit on an edge belongs to one of its neighbours.
 constexpr double kEdgeSlack = 1e-6;
-/// Rounding of coordinates to single precision, twice over.
-constexpr double kSingle = 0x1p-22;
 /// Rays that come far and aslant hit a surface so much beside where they should [m].
 constexpr double kHitSlack = 1e-4;
 /// Sampled points keep off edges by a ten-thousandth of the triangle: more than rays' single precision, less than anything to be seen.
@@ -130,36 +128,8 @@ void ElementTree::add_region(const Triangulation& mesh, std::vector<Triangle> tr
   roots_.push_back(ElementId(id));
   Region region(mesh, root.begin, std::span(start_).subspan(root.begin));
   build_groups(region, id);
-  add_forks(id);
   add_up_areas(id);
-}
-
-std::array<double, 4> ElementTree::rectangle_of(const Node& node) const {
-  if (!node.triangle) return groups_[node.shape].rectangle;
-  std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
-  for (const Point& p : corners_[node.shape]) {
-    const double u = dot(p - side_origin_[node.face_side], side_axes_[node.face_side].u);
-    const double v = dot(p - side_origin_[node.face_side], side_axes_[node.face_side].v);
-    box = {std::min(box[0], u), std::min(box[1], v), std::max(box[2], u), std::max(box[3], v)};
-  }
-  return box;
-}
-
-void ElementTree::add_forks(std::uint32_t root) {
-  forks_.resize(groups_.size());
-  for (std::uint32_t n = root; n < nodes_.size(); ++n) {
-    if (nodes_[n].triangle) continue;
-    Fork& fork = forks_[nodes_[n].shape];
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      const Node& child = nodes_[nodes_[n].first_child + k];
-      fork.children[k] = {nodes_[n].first_child + k, child.triangle ? kLeaf : child.shape};
-      const std::array<double, 4> box = rectangle_of(child);
-      const double farthest = std::max({-box[0], -box[1], box[2], box[3]});
-      const double grown = kHitSlack + kEdgeSlack * (box[2] - box[0] + box[3] - box[1]) + kSingle * farthest;
-      fork.rectangles[k] = {static_cast<float>(box[0] - grown), static_cast<float>(box[1] - grown),
-                            static_cast<float>(box[2] + grown), static_cast<float>(box[3] + grown)};
-    }
-  }
+  add_grid(id);
 }
 
 void ElementTree::add_up_areas(std::uint32_t root) {
@@ -173,6 +143,14 @@ void ElementTree::add_up_areas(std::uint32_t root) {
     area_before_[i] = area;
     area += nodes_[start_node_[i]].area;
   }
+}
+
+void ElementTree::add_grid(std::uint32_t root) {
+  const Node& all = nodes_[root];
+  std::vector<std::array<Point, 3>> triangles;
+  triangles.reserve(all.end - all.begin);
+  for (std::uint32_t i = all.begin; i < all.end; ++i) triangles.push_back(corners_[nodes_[start_node_[i]].shape]);
+  grids_.add(side_axes_[all.face_side], triangles, all.begin, kHitSlack + 2.0 * kEdgeSlack * all.radius);
 }
 
 void ElementTree::build_groups(Region& region, std::uint32_t root) {
@@ -414,107 +392,66 @@ std::uint32_t ElementTree::step_down(Barycentric& at) {
 }
 
 bool ElementTree::holds(ElementId e, const Point& point) const {
-  return start_holding(e.value, point, kEdgeSlack).valid();
+  const Node& n = node(e);
+  if (n.triangle) return triangle_holds(n, point, kEdgeSlack);
+  const std::uint32_t first = roots_start_[n.face_side];
+  const auto after = std::upper_bound(roots_.begin() + first, roots_.begin() + roots_start_[n.face_side + 1], n.begin,
+                                      [&](std::uint32_t start, ElementId root) { return start < node(root).begin; });
+  return std::ranges::any_of(
+      grids_.near(static_cast<std::size_t>(after - roots_.begin()) - 1, point),
+      [&](std::uint32_t i) { return i >= n.begin && i < n.end && start_holds(i, point, kEdgeSlack); });
 }
 
 ElementId ElementTree::find(FaceSide side, const Point& point) const {
   const auto roots = roots_of(side);
   if (roots.size() == 1) return find(side, 0, point);
-  const ElementId start = start_below(roots, point);
-  return start.valid() ? descend(start, point, [](ElementId) { return true; }) : start;
+  if (roots.empty()) return {};
+  return descend_all(nearest_start(roots_start_[side.index()], roots_start_[side.index() + 1], point), point);
 }
 
 ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point) const {
-  return find_below(side, region, point, [](ElementId) { return true; });
+  if (roots_of(side).empty()) return {};
+  const std::size_t root = roots_start_[side.index()] + region;
+  assert(region < roots_of(side).size());
+  return descend_all(start_among(grids_.near(root, point), root, point), point);
 }
 
 ElementId ElementTree::find(FaceSide side, std::uint32_t region, const Point& point,
-                            std::span<const std::uint8_t> entered) const {
-  return find_below(side, region, point, [&](ElementId e) { return entered[e.index()] != 0; });
+                            std::span<const ElementId> above) const {
+  if (roots_of(side).empty()) return {};
+  const std::size_t root = roots_start_[side.index()] + region;
+  assert(region < roots_of(side).size());
+  const ElementId last = above[node(roots_[root]).end - 1];
+  if (last == roots_[root]) return last;
+  const auto near = grids_.near(root, point);
+  // Mostly one node is above all of them, and it does not matter which of them it is.
+  const auto same = [&](std::uint32_t i) { return above[i] == above[near.front()]; };
+  const bool any = !near.empty() && std::ranges::all_of(near, same);
+  return above[any ? near.front() : start_among(near, root, point)];
 }
 
-template <class Enter>
-ElementId ElementTree::find_below(FaceSide side, std::uint32_t region, const Point& point, const Enter& enter) const {
-  const auto roots = roots_of(side);
-  if (roots.empty()) return {};
-  assert(region < roots.size());
-  const ElementId found = group_or_start(roots[region], point, enter);
-  return is_triangle(found) ? descend(found, point, enter) : found;
+std::uint32_t ElementTree::start_among(std::span<const std::uint32_t> near, std::size_t root,
+                                       const Point& point) const {
+  if (near.empty()) return nearest_start(root, root + 1, point);
+  const auto others = near.first(near.size() - 1);
+  const auto found = std::ranges::find_if(others, [&](std::uint32_t i) { return start_holds(i, point, kEdgeSlack); });
+  return found != others.end() ? *found : near.back();
 }
 
-struct ElementTree::Search {
-  Search(const ElementTree& tree, const Node& top, const Point& point) {
-    const Vector d = point - tree.side_origin_[top.face_side];
-    u = static_cast<float>(dot(d, tree.side_axes_[top.face_side].u));
-    v = static_cast<float>(dot(d, tree.side_axes_[top.face_side].v));
-  }
-
-  [[nodiscard]] bool is_over() const { return count == 0; }
-  [[nodiscard]] Candidate next() { return waiting[--count]; }
-  /// Children whose rectangles hold the point, grown by so much; the first of them comes next.
-  void add(const Fork& fork, float more) {
-    for (const std::size_t k : {1, 0}) {
-      const auto& box = fork.rectangles[k];
-      if (u >= box[0] - more && v >= box[1] - more && u <= box[2] + more && v <= box[3] + more)
-        waiting[count++] = fork.children[k];
-    }
-  }
-
-  float u = 0.0F;
-  float v = 0.0F;
-  std::array<Candidate, 64> waiting;
-  std::size_t count = 0;
-};
-
-/// The first group that is not entered, or the start triangle, on the way down to a point. What is left when all other candidates do not hold
-/// it is taken untried: a region has no gaps.
-template <class Enter>
-ElementId ElementTree::group_or_start(ElementId root, const Point& point, const Enter& enter) const {
-  const Node& top = node(root);
-  if (top.triangle || !enter(root)) return root;
-  Search search(*this, top, point);
-  search.add(forks_[top.shape], 0.0F);
-  while (!search.is_over()) {
-    const auto [id, fork] = search.next();
-    if (fork != kLeaf && enter(ElementId(id)))
-      search.add(forks_[fork], 0.0F);
-    else if (search.is_over() || start_holding(id, point, kEdgeSlack).valid())
-      return ElementId(id);
-  }
-  ElementId found = start_below(std::span(&root, 1), point);
-  for (ElementId up = parent(found); up.valid(); up = parent(up)) {
-    if (!enter(up)) found = up;
-  }
-  return found;
-}
-
-ElementId ElementTree::start_below(std::span<const ElementId> roots, const Point& point) const {
-  if (roots.empty()) return {};
+std::uint32_t ElementTree::nearest_start(std::size_t first_root, std::size_t end_root, const Point& point) const {
+  std::uint32_t found = node(roots_[first_root]).begin;
   // Slack grows until something holds the point: hits are rounded, and may lie just outside the face.
   for (double slack = kEdgeSlack; slack < 1.0; slack *= 30.0) {
-    for (const ElementId r : roots) {
-      const ElementId found = start_holding(r.value, point, slack);
-      if (found.valid()) return found;
+    for (std::size_t r = first_root; r < end_root; ++r) {
+      const auto holds = [&](std::span<const std::uint32_t> near) {
+        const auto held = std::ranges::find_if(near, [&](std::uint32_t i) { return start_holds(i, point, slack); });
+        if (held != near.end()) found = *held;
+        return held != near.end();
+      };
+      if (grids_.any_within(r, point, 2.0 * slack * node(roots_[r]).radius, holds)) return found;
     }
   }
-  return ElementId(start_node_[node(roots.front()).begin]);
-}
-
-ElementId ElementTree::start_holding(std::uint32_t top, const Point& point, double slack) const {
-  const Node& node = nodes_[top];
-  if (node.triangle) return triangle_holds(node, point, slack) ? ElementId(top) : ElementId();
-  // Rectangles have the least slack in them already.
-  const float more = slack > kEdgeSlack ? static_cast<float>(2.0 * slack * node.radius) : 0.0F;
-  Search search(*this, node, point);
-  search.add(forks_[node.shape], more);
-  while (!search.is_over()) {
-    const auto [id, fork] = search.next();
-    if (fork != kLeaf)
-      search.add(forks_[fork], more);
-    else if (triangle_holds(nodes_[id], point, slack))
-      return ElementId(id);
-  }
-  return {};
+  return found;
 }
 
 }  // namespace clerestory::mesh

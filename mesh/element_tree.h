@@ -9,6 +9,7 @@
 #include "mesh/faces.h"
 #include "mesh/geometry.h"
 #include "mesh/ids.h"
+#include "mesh/triangle_grids.h"
 
 namespace clerestory::mesh {
 
@@ -102,10 +103,10 @@ class ElementTree {
   [[nodiscard]] ElementId find(FaceSide side, const Point& point) const;
   /// The same where the region is known, as from a ray's triangle: a point that is rounded across a contact stays on its side of it.
   [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point) const;
-  /// The first node on the way down to it that is not entered.
-  /// @param entered  [nodes] non-zero for those whose children are looked at
+  /// The one of given nodes above the start triangle that holds a point.
+  /// @param above  [start triangles] the node asked for: the triangle's own, or a group that it belongs to
   [[nodiscard]] ElementId find(FaceSide side, std::uint32_t region, const Point& point,
-                               std::span<const std::uint8_t> entered) const;
+                               std::span<const ElementId> above) const;
 
  private:
   struct Node {
@@ -129,19 +130,6 @@ class ElementTree {
     std::uint32_t edge_count = 0;
     std::array<double, 4> rectangle{};  ///< low u, low v, high u, high v from the face's origin
   };
-  /// A node that may hold a point.
-  struct Candidate {
-    std::uint32_t node = 0;
-    std::uint32_t fork = 0;  ///< index into forks_; kLeaf of a triangle
-  };
-  static constexpr std::uint32_t kLeaf = 0xFFFFFFFFU;
-  /// What finding a point needs of a group: its children and their rectangles, grown by the least slack and by what hits are rounded by.
-  struct Fork {
-    std::array<std::array<float, 4>, 2> rectangles{};
-    std::array<Candidate, 2> children{};
-  };
-  /// A point of a side by its coordinates there, with the candidates for holding it that wait to be looked at.
-  struct Search;
   using StartTriangle = std::array<std::uint32_t, 3>;
 
   [[nodiscard]] const Node& node(ElementId e) const { return nodes_[e.index()]; }
@@ -154,16 +142,21 @@ class ElementTree {
   void add_outline(const Region& region, const Node& group);
   void finish_triangle(Node& triangle, const std::array<Point, 3>& corners);
   void split_group(Region& region, std::uint32_t group);
-  [[nodiscard]] ElementId start_below(std::span<const ElementId> roots, const Point& point) const;
+  void add_grid(std::uint32_t root);
   [[nodiscard]] bool triangle_holds(const Node& node, const Point& point, double slack) const;
-  void add_forks(std::uint32_t root);
-  [[nodiscard]] std::array<double, 4> rectangle_of(const Node& node) const;
-  /// The start triangle of a group, or the triangle itself, that holds a point; invalid where none does.
-  [[nodiscard]] ElementId start_holding(std::uint32_t top, const Point& point, double slack) const;
-  template <class Enter>
-  [[nodiscard]] ElementId find_below(FaceSide side, std::uint32_t region, const Point& point, const Enter& enter) const;
-  template <class Enter>
-  [[nodiscard]] ElementId group_or_start(ElementId root, const Point& point, const Enter& enter) const;
+  [[nodiscard]] bool start_holds(std::uint32_t start, const Point& point, double slack) const {
+    return triangle_holds(nodes_[start_node_[start]], point, slack);
+  }
+  /// The one of a root's start triangles near a point that holds it. What is left when the others do not is taken untried: a region
+  /// has no gaps.
+  [[nodiscard]] std::uint32_t start_among(std::span<const std::uint32_t> near, std::size_t root,
+                                          const Point& point) const;
+  /// The start triangle of consecutive roots that holds a point, or is nearest to do so.
+  [[nodiscard]] std::uint32_t nearest_start(std::size_t first_root, std::size_t end_root, const Point& point) const;
+  /// The deepest node below a start triangle that holds a point.
+  [[nodiscard]] ElementId descend_all(std::uint32_t start, const Point& point) const {
+    return descend(ElementId(start_node_[start]), point, [](ElementId) { return true; });
+  }
 
   std::vector<Node> nodes_;
   std::vector<ElementId> roots_;
@@ -172,9 +165,9 @@ class ElementTree {
   std::vector<Point> side_origin_;          ///< [2 a face]
   std::vector<std::array<Point, 3>> corners_;
   std::vector<Group> groups_;
-  std::vector<Fork> forks_;  ///< [groups]
   std::vector<OutlineEdge> edges_;
   std::vector<StartTriangle> start_;
+  TriangleGrids grids_;                    ///< [roots] of their start triangles
   std::vector<std::uint32_t> start_node_;  ///< [start triangles] the node of each
   std::vector<double> area_before_;        ///< [start triangles] of those ahead of it in its region
 };

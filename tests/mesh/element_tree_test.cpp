@@ -282,35 +282,52 @@ TEST(ElementTree, FindForgivesPointsJustOutsideTheFace) {
   EXPECT_EQ(g.tree.face_side(found), lower);
 }
 
-/// Enters nodes from the roots on at random; [nodes].
-std::vector<std::uint8_t> entered_at_random(const Grown& g, std::mt19937& random) {
-  std::vector<std::uint8_t> entered(g.tree.size(), 0);
+/// Groups and start triangles that cover the regions, chosen from the roots down at random; [start triangles] the one above each.
+std::vector<ElementId> cover_at_random(const Grown& g, std::mt19937& random) {
+  std::vector<ElementId> above(g.tree.start_triangle_count());
+  const auto put = [&](ElementId e) {
+    std::fill_n(above.begin() + static_cast<std::ptrdiff_t>(g.tree.first_start_triangle(e)),
+                g.tree.start_triangle_count(e), e);
+  };
+  for (const ElementId root : g.tree.roots()) put(root);
   for (const ElementId e : g.all()) {
-    const ElementId above = g.tree.parent(e);
-    const bool reached = !above.valid() || entered[above.index()] != 0;
-    entered[e.index()] = reached && g.tree.has_children(e) && random() % 4 != 0 ? 1 : 0;
+    if (g.tree.is_triangle(e) || above[g.tree.first_start_triangle(e)] != e || random() % 4 == 0) continue;
+    for (const ElementId child : g.children(e)) put(child);
   }
-  return entered;
+  return above;
 }
 
-TEST(ElementTree, FindStopsAtTheFirstNodeThatIsNotEntered) {
+TEST(ElementTree, FindReturnsTheGivenNodeAboveAPoint) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (const Model& model : {support::l_room(), support::square_with_hole(), support::table_on_floor()}) {
     Grown g(model, 0.5);
     split_at_random(g, random, 400);
-    const std::vector<std::uint8_t> entered = entered_at_random(g, random);
+    const std::vector<ElementId> above = cover_at_random(g, random);
     for (int i = 0; i < 2000; ++i) {
       const ElementId root = g.tree.roots()[random() % g.tree.roots().size()];
       const FaceSide side = g.tree.face_side(root);
       const auto region =
           static_cast<std::uint32_t>(std::ranges::find(g.tree.roots_of(side), root) - g.tree.roots_of(side).begin());
       const Point p = g.tree.sample(root, uniform(random), uniform(random));
-      ElementId expected = g.tree.find(side, p);
-      for (ElementId up = g.tree.parent(expected); up.valid(); up = g.tree.parent(up)) {
-        if (entered[up.index()] == 0) expected = up;
-      }
-      EXPECT_EQ(g.tree.find(side, region, p, entered), expected);
+      EXPECT_EQ(g.tree.find(side, region, p, above), above[g.tree.first_start_triangle(g.tree.find(side, p))]);
+    }
+  }
+}
+
+TEST(ElementTree, NodesHoldTheirOwnPointsAndNoOthers) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Grown g(support::square_with_hole(), 0.5);
+  const ElementId root = g.tree.roots()[0];
+  for (int i = 0; i < 500; ++i) {
+    const Point p = g.tree.sample(root, uniform(random), uniform(random));
+    const ElementId found = g.tree.find(g.tree.face_side(root), p);
+    for (const ElementId e : g.all()) {
+      if (g.tree.root(e) != root) continue;
+      bool is_above = e == found;
+      for (ElementId up = found; up.valid(); up = g.tree.parent(up)) is_above = is_above || up == e;
+      EXPECT_EQ(g.tree.holds(e, p), is_above);
     }
   }
 }
