@@ -55,6 +55,8 @@ constexpr std::size_t kMostJumps = 2000;
 /// Of the time of their phases, measured on the validation scenes.
 constexpr double kShareOfJumps = 0.3;
 constexpr double kShareOfStartMesh = 0.8;
+/// Faces that send less of the light than this share of the accuracy are hardly ever refined.
+constexpr double kTrifle = 3e-3;
 constexpr double kShareOfShownMesh = 0.5;
 
 void to_model(Sensors& sensors, const mesh::Vector& origin) {
@@ -162,12 +164,21 @@ std::vector<mesh::FaceLine> start_lines(const Scene& scene, Progress& progress) 
   return lines;
 }
 
-/// Non-zero for faces from which light is likely to come to the sensors: there elements will be small, and should have good angles. All others,
-/// in a large model nearly all, get as few start triangles as they can.
-std::vector<std::uint8_t> faces_reached(const Scene& scene, const std::vector<SensorWalk>& walks) {
-  const std::vector<std::uint8_t> sides = sides_reached(scene, walks);
+/// Non-zero for faces from which more than a trifle of the light is likely to come to the sensors; without walks for all. Elements will be
+/// small there, and should have good angles. All others, in a large model nearly all, get as few start triangles as they can.
+std::vector<std::uint8_t> faces_that_matter(const Scene& scene, const std::vector<SensorWalk>& walks, double accuracy) {
+  std::vector<double> share(scene.faces.count(), 0.0);
+  double all = 0.0;
+  for (const SensorWalk& walk : walks) {
+    for (const SensorWalk::End& end : walk.ends) {
+      share[end.side.face.index()] += static_cast<double>(end.weight);
+      all += static_cast<double>(end.weight);
+    }
+  }
   std::vector<std::uint8_t> faces(scene.faces.count());
-  for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = sides[2 * f] | sides[2 * f + 1];
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    faces[f] = share[f] > kTrifle * accuracy * all || walks.empty() ? 1 : 0;
+  }
   return faces;
 }
 
@@ -491,7 +502,7 @@ Results run(const Study& study, Progress& watched, const Limits& limits) {
   clock.begin("meshing", progress);
   const std::uint64_t seed = mesh::mix(study.accuracy.seed);
   const std::vector<SensorWalk> walks = walk_from_sensors(scene, sensors.positions, sensors.normals, seed);
-  const StartMesh start{start_lines(scene, progress), faces_reached(scene, walks)};
+  const StartMesh start{start_lines(scene, progress), faces_that_matter(scene, walks, study.accuracy.target)};
   Solution solution = unsolved(scene, start, progress);
 
   clock.begin("direct light", progress);

@@ -157,14 +157,24 @@ void mesh_shown(const Solution& solution, std::span<const std::uint8_t> others, 
   result.mesh = mesh::mesh_faces(scene.faces, options, &result.report);
 }
 
-/// Whether a face is a strip, for which triangles with good angles would be as many as they are small.
-bool is_strip(const mesh::Faces& faces, FaceId face) {
-  double perimeter = 0.0;
+double perimeter(const mesh::Faces& faces, FaceId face) {
+  double sum = 0.0;
   for (const auto& loop : faces.faces[face.index()].loops) {
     for (std::size_t i = 0; i < loop.size(); ++i)
-      perimeter += norm(faces.shape.vertices[loop[(i + 1) % loop.size()]] - faces.shape.vertices[loop[i]]);
+      sum += norm(faces.shape.vertices[loop[(i + 1) % loop.size()]] - faces.shape.vertices[loop[i]]);
   }
-  return faces.faces[face.index()].area_m2 < 0.5 * kStripM * perimeter;
+  return sum;
+}
+
+/// Whether a face is a strip, for which triangles with good angles would be as many as they are small.
+bool is_strip(const mesh::Faces& faces, FaceId face) {
+  return faces.faces[face.index()].area_m2 < 0.5 * kStripM * perimeter(faces, face);
+}
+
+/// About the fewest triangles with good angles that a face takes: of a rectangle, two for each square of its width.
+std::size_t well_shaped_triangles(const mesh::Faces& faces, FaceId face) {
+  const double around = perimeter(faces, face);
+  return static_cast<std::size_t>(std::max(2.0, 0.5 * around * around / faces.faces[face.index()].area_m2 - 6.0));
 }
 
 /// A side on which an element is less sure than it was asked to be.
@@ -197,6 +207,8 @@ std::vector<UnsureSide> unsure_sides(const Solution& solution, const SolutionErr
   std::erase_if(sides, [&](const UnsureSide& s) {
     return s.weight_m2 <= 0.0 || is_strip(scene.faces, mesh::face_side(s.side).face);
   });
+  for (UnsureSide& s : sides)
+    s.triangles = std::max(s.triangles, well_shaped_triangles(scene.faces, mesh::face_side(s.side).face));
   return sides;
 }
 
