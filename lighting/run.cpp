@@ -164,20 +164,22 @@ std::vector<mesh::FaceLine> start_lines(const Scene& scene, Progress& progress) 
   return lines;
 }
 
-/// Non-zero for faces from which more than a trifle of the light is likely to come to the sensors; without walks for all. Elements will be
-/// small there, and should have good angles. All others, in a large model nearly all, get as few start triangles as they can.
+/// Non-zero for faces from which more than a trifle of the light is likely to come to the sensors, for what walks have met behind black
+/// surfaces, which is there to be looked at, and without walks for all. Elements will be small there, and should have good angles. All others,
+/// in a large model nearly all, get as few start triangles as they can.
 std::vector<std::uint8_t> faces_that_matter(const Scene& scene, const std::vector<SensorWalk>& walks, double accuracy) {
   std::vector<double> share(scene.faces.count(), 0.0);
+  std::vector<std::uint8_t> faces(scene.faces.count(), walks.empty() ? 1 : 0);
   double all = 0.0;
   for (const SensorWalk& walk : walks) {
     for (const SensorWalk::End& end : walk.ends) {
       share[end.side.face.index()] += static_cast<double>(end.weight);
       all += static_cast<double>(end.weight);
+      if (end.weight <= 0.0F) faces[end.side.face.index()] = 1;
     }
   }
-  std::vector<std::uint8_t> faces(scene.faces.count());
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    faces[f] = share[f] > kTrifle * accuracy * all || walks.empty() ? 1 : 0;
+    if (share[f] > kTrifle * accuracy * all) faces[f] = 1;
   }
   return faces;
 }

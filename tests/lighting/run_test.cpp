@@ -74,7 +74,7 @@ TEST(Run, ElementsDoNotCrossTheShadowEdgeOfALuminaire) {
     EXPECT_TRUE(nearest > 1.0 - kSlack || s.illuminance_lux[i] == 0.0F);
     ++cells;
   }
-  EXPECT_GE(cells, 10) << "two inside of the edge and eight around it, at the fewest";
+  EXPECT_GT(cells, 10);
 }
 
 TEST(Run, StartElementsAreRefinedWhereSensorsLookAlone) {
